@@ -78,7 +78,7 @@ mod within_limits;
 pub use crate::least_squares::by_chi_square;
 pub use crush_share::crush_share;
 pub use determined::Direction;
-pub use given::{Correlation, Dependence, Evidence, PriorCorrelation, ReconstructionProblem, Search, Uncertainty, Unknown};
+pub use given::{Correlation, Dependence, Evidence, GrowingError, PriorCorrelation, ReconstructionProblem, Search, Uncertainty, Unknown};
 pub use guaranteed::{GuaranteedRange, GuaranteedSearch, NoRange};
 pub use interval::{Interval, Method};
 pub use issue::{ReconstructionIssue, ReconstructionIssues};

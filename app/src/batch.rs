@@ -15,7 +15,7 @@ use planar_impact::{ForwardLeft, ImpulseRatio, Input, Moment, Side, Xy};
 pub use answer::{Answer, Refused};
 pub use column::{Cell, Column, InputColumn, Key, NotARow, Table};
 pub use header::{Header, separated_otherwise};
-pub(crate) use header::{commented, unit_in_name};
+pub(crate) use header::{commented, unit_in_name, units_below};
 pub use row_warning::RowWarning;
 
 use self::row::{ContactColumns, Defaults, VehicleColumns, VehicleDefaults};

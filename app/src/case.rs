@@ -155,7 +155,8 @@ impl Case {
             .iter()
             .filter(|left_out| is_needed(left_out.of))
             .map(|left_out| {
-                let name = left_out.of.name().to_owned();
+                // The form of the ratio or of the inertia that is asked for.
+                let name = left_out.key.strip_prefix("unknown.").unwrap_or_else(|| left_out.of.name()).to_owned();
                 if left_out.is_evidence() {
                     let message = "missing: `[evidence]` measures it with an uncertainty, and this verb needs a value";
                     let help = "give it here; `planar-impact reconstruct` solves for it from the evidence";

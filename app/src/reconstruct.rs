@@ -189,7 +189,7 @@ fn by_separations(
     let guaranteed =
         if options.guaranteed { guaranteed::ranges(&question, options.bounds_sd, control, &mut notices.0)? } else { Vec::new() };
     let drawn = if options.draws_from_posterior() {
-        notices.0.extend(from_rest::of_posterior(separations));
+        notices.0.extend(from_rest::of_posterior(&question, separations));
         let sampling = Sampling { seed: options.seed, ..Sampling::for_level(options.level) };
         let asked = posterior::Asked { sampling, statements: &statements, level: options.level, has_values: options.draws };
         Some(Drawn::of(&question, &answer, &of, &asked, control, &mut notices.0)?)

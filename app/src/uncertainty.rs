@@ -264,7 +264,7 @@ impl<'a> Question<'a> {
             return;
         }
         for (of, to) in self.outputs.iter().zip(&mut found.of) {
-            let refused = match self.expand_one(*of, to) {
+            let refused = match self.expand_one(*of, to, &mut found.notices.0) {
                 Ok(()) => continue,
                 Err(refusals) => refusals,
             };
@@ -316,9 +316,14 @@ impl<'a> Question<'a> {
         heavy.map(|(parameter, _)| *parameter)
     }
 
-    fn expand_one(&self, of: CaseOutput, to: &mut OutputUncertainty) -> Result<(), Refusals> {
+    /// Adds what derivatives say of an output.
+    fn expand_one(&self, of: CaseOutput, to: &mut OutputUncertainty, notices: &mut Vec<Notice>) -> Result<(), Refusals> {
+        /// Most inputs whose curvature judges the slopes: it grows with their square.
+        const MOST_BENT: usize = 64;
         if self.asks(Method::Linear) {
             let linear = self.uncertain.linear(of)?;
+            let second = (self.parameters.len() <= MOST_BENT).then(|| self.uncertain.second_order(of).ok()).flatten();
+            let bent = second.filter(|second| doubts::is_bent(&linear, second));
             let effect = |(derivative, number): (&f64, &library::UncertainNumber)| {
                 if *derivative == 0.0 { 0.0 } else { positive_zero(derivative * number.sd()) }
             };
@@ -327,8 +332,10 @@ impl<'a> Question<'a> {
                 mean: positive_zero(linear.mean),
                 sd: linear.sd,
                 shares: self.named(linear.shares),
-                sd_if_halved: self.named(linear.with_half),
+                // Of slopes that say little of the deviation, these say nothing.
+                sd_if_halved: self.named(linear.with_half.into_iter().map(|sd| if bent.is_some() { f64::NAN } else { sd })),
             });
+            notices.extend(bent.map(|second| doubts::linear_bends(of, linear.sd, second.sd)));
         }
         if self.asks(Method::SecondOrder) {
             let library::SecondOrder { mean, sd, skewness } = self.uncertain.second_order(of)?;

@@ -187,12 +187,7 @@ impl Separation {
     #[must_use]
     pub fn with_friction_at(&self, motion: &Motion, gyration: f64) -> Separation {
         let [given, by_friction, there] = [self.motion, self.by_friction, *motion].map(Motion::components);
-        let metric = [1.0, 1.0, gyration * gyration];
-        let dot = |one: [f64; 3], other: [f64; 3]| -> f64 { (0..3).map(|i| metric[i] * one[i] * other[i]).sum() };
-        let share = dot(by_friction, given) / dot(given, given);
-        if !share.is_finite() {
-            return self.clone();
-        }
+        let share = self.share_by_friction(gyration);
         let moved: [f64; 3] = core::array::from_fn(|i| by_friction[i] + share * (there[i] - given[i]));
         let mut weighed = self.clone();
         weighed.by_friction = Motion { velocity: Xy { x: moved[0], y: moved[1] }, yaw_rate: moved[2] };
@@ -202,6 +197,24 @@ impl Separation {
             }
         }
         weighed
+    }
+
+    /// Returns the share of the motion that its error by the friction is: half of that of the friction on locked wheels, of which a speed grows with the root. Zero of a vehicle
+    /// at rest.
+    ///
+    /// ```
+    /// use planar_impact::post_impact::{MotionCovariance, Separation};
+    /// use planar_impact::{Motion, Xy};
+    /// let motion = |x, y| Motion { velocity: Xy { x, y }, yaw_rate: 0.0 };
+    /// let separation = Separation { motion: motion(5.0, 0.0), covariance: MotionCovariance([[0.25; 3]; 3]), by_friction: motion(0.5, 0.0), fit: None };
+    /// assert_eq!(separation.share_by_friction(1.3), 0.1);
+    /// ```
+    pub fn share_by_friction(&self, gyration: f64) -> f64 {
+        let [given, by_friction] = [self.motion, self.by_friction].map(Motion::components);
+        let metric = [1.0, 1.0, gyration * gyration];
+        let dot = |one: [f64; 3], other: [f64; 3]| -> f64 { (0..3).map(|i| metric[i] * one[i] * other[i]).sum() };
+        let share = dot(by_friction, given) / dot(given, given);
+        if share.is_finite() { share } else { 0.0 }
     }
 
     /// Returns the correlation of V_x, V_y or Ω of one vehicle with one of them of another that slid on the same ground, which is due to the friction.

@@ -1,9 +1,9 @@
 //! The density of the posterior: that of the priors times the likelihood of the evidence, zero where the mechanics refuses the collision.
 
-use nalgebra::DMatrix;
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use statrs::distribution::{ContinuousCDF, Normal};
 
-use super::given::{ReconstructionProblem, Uncertainty};
+use super::given::{GrowingError, ReconstructionProblem, Uncertainty};
 use super::measurand::Measurand;
 use super::residuals::Model;
 use crate::distribution::{Distribution, degrees_of_freedom, standard_error, student};
@@ -16,6 +16,72 @@ pub(super) struct Density<'a> {
     pub(super) spans: Vec<ParameterBounds>,
     /// Priors of another shape than normal.
     shaped: Vec<Shaped>,
+    growing: Option<Growing>,
+}
+
+/// An error with one cause that grows with the evidence.
+struct Growing {
+    /// Each part with the index of its residual.
+    parts: Vec<(usize, GrowingError)>,
+    /// The Cholesky factor of the covariance of everything else.
+    others: Cholesky<f64, Dyn>,
+}
+
+impl Growing {
+    /// Takes the error out of the covariance of the evidence. `None` if there is none, or it is not in the covariance.
+    fn of(model: &Model<'_>) -> Option<Self> {
+        let place = |part: &GrowingError| model.evidence.iter().position(|evidence| evidence.of == part.of);
+        let parts: Vec<(usize, GrowingError)> =
+            model.question.growing_error.iter().filter_map(|part| Some((place(part)?, *part))).collect();
+        let at_fit = vector(model.evidence.len(), parts.iter().map(|(row, part)| (*row, part.at_fit)));
+        let others = model.weights.scaled_covariance() - &at_fit * at_fit.transpose();
+        let others = (!parts.is_empty()).then(|| Cholesky::new(others))??;
+        Some(Growing { parts, others })
+    }
+
+    /// Returns minus two logarithms of the density of residuals, up to a constant, over all values of the cause (Laplace's approximation, exact where the computed values are
+    /// linear in it): at the most probable one χ², that of the cause, and the logarithm of the curvature there.
+    fn deviance(&self, residuals: &DVector<f64>) -> f64 {
+        /// Steps to the most probable cause; each is a Gauss–Newton step of a problem that is nearly linear.
+        const STEPS: usize = 4;
+        let mut cause = 0.0;
+        for _ in 0..STEPS {
+            let (left, error) = self.with_cause(residuals, cause);
+            let next = (error.norm_squared() * cause - error.dot(&left)) / (1.0 + error.norm_squared());
+            cause = next.max(self.least_cause());
+        }
+        let (left, error) = self.with_cause(residuals, cause);
+        left.norm_squared() + cause * cause + libm::log(1.0 + error.norm_squared())
+    }
+
+    /// Returns the least value of the cause, in standard deviations from what is given: it is above zero.
+    fn least_cause(&self) -> f64 {
+        /// Least share of what is given.
+        const LEAST: f64 = 0.05;
+        self.parts.iter().map(|(_, part)| (LEAST - 1.0) / part.relative_sd).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Returns the residuals with a value of the cause and their derivatives by it, as what else is uncertain weighs them.
+    fn with_cause(&self, residuals: &DVector<f64>, cause: f64) -> (DVector<f64>, DVector<f64>) {
+        let (mut left, mut error) = (residuals.clone(), DVector::zeros(residuals.len()));
+        for (row, part) in &self.parts {
+            let size = part.at_given - part.slope * residuals[*row];
+            let share = 1.0 + part.relative_sd * cause;
+            left[*row] += size / (part.power * part.relative_sd) * (libm::pow(share, part.power) - 1.0);
+            error[*row] = size * libm::pow(share, part.power - 1.0);
+        }
+        for rows in [&mut left, &mut error] {
+            self.others.l_dirty().solve_lower_triangular_mut(rows);
+        }
+        (left, error)
+    }
+}
+
+/// Returns a vector of zeros but for some entries.
+fn vector(length: usize, entries: impl Iterator<Item = (usize, f64)>) -> DVector<f64> {
+    let mut vector = DVector::zeros(length);
+    entries.for_each(|(row, entry)| vector[row] = entry);
+    vector
 }
 
 /// A prior whose shape is not normal.
@@ -39,7 +105,8 @@ impl<'a> Density<'a> {
             Some(Shaped { unknown, residual: question.evidence.len() + k, sd, shape })
         });
         let shaped = shaped.collect();
-        Density { model, spans, shaped }
+        let growing = Growing::of(&model);
+        Density { model, spans, shaped, growing }
     }
 
     /// Returns the exact evidence, which is softened.
@@ -66,8 +133,11 @@ impl<'a> Density<'a> {
             residuals[*residual] = -sd * score;
             log += shape.log_density(x) + 0.5 * score * score;
         }
-        let chi_square = self.model.weights.whiten(DMatrix::from_vec(residuals.len(), 1, residuals)).norm_squared();
-        Some(log - 0.5 * chi_square)
+        let deviance = match &self.growing {
+            Some(growing) => growing.deviance(&DVector::from_vec(residuals)),
+            None => self.model.weights.whiten(DMatrix::from_vec(residuals.len(), 1, residuals)).norm_squared(),
+        };
+        Some(log - 0.5 * deviance)
     }
 }
 
@@ -108,6 +178,82 @@ fn symmetric(of: impl Fn(f64) -> f64, below: f64, above: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::distribution::quantile::standard;
+    use crate::input::Side;
+    use crate::reconstruct::search::spans;
+    use crate::reconstruct::{Correlation, Variable};
+    use crate::{Collision, Party, Vehicle};
+
+    /// By hand, of two numbers. Of a cause that is nearly exact: the covariance less the growing error that it has, and with that of the computed values. Of another one: the integral
+    /// over it.
+    #[test]
+    fn an_error_that_grows_is_that_of_the_computed_values() {
+        let car = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(13.0);
+        let of = [Measurand::DeltaVForward(Side::One), Measurand::SeparationSpeed(Side::One)];
+        let (given, sds, correlation) = ([-12.0, 1.5], [1.0, 0.4], 0.6);
+        let mut question =
+            ReconstructionProblem::of(Collision::new(car, Party::Barrier).with_restitution(0.1)).unknown(Variable::Speed(Side::One), 13.0);
+        for i in 0..2 {
+            question = question.evidence(of[i], given[i], Uncertainty::StandardDeviation(sds[i]));
+        }
+        question.correlations.push(Correlation { one: of[0], other: of[1], coefficient: correlation });
+        let parts = [(-0.7, -0.6, 0.05), (-0.1, -0.15, 0.1)];
+        let growing = |relative_sd: f64| -> Vec<GrowingError> {
+            let part = |i: usize| {
+                let (at_fit, at_given, slope) = parts[i];
+                GrowingError { of: of[i], at_fit, at_given, slope, relative_sd, power: [-0.5, -1.0][i] }
+            };
+            (0..2).map(part).collect()
+        };
+        question.growing_error = growing(1e-8);
+        let by_hand = |speed: f64| {
+            let model = Model::of(&question);
+            let (placed, impact) = model.solve(&[speed]).expect("possible");
+            let computed = model.compared(&[speed], &placed, &impact);
+            let off = [given[0] - computed[0], given[1] - computed[1]];
+            let error = [0, 1].map(|i| parts[i].1 + parts[i].2 * (computed[i] - given[i]));
+            let entry = |i: usize, k: usize| {
+                let whole = sds[i] * sds[k] * if i == k { 1.0 } else { correlation };
+                whole - parts[i].0 * parts[k].0 + error[i] * error[k]
+            };
+            let determinant = entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(0, 1);
+            let chi_square =
+                (entry(1, 1) * off[0] * off[0] - 2.0 * entry(0, 1) * off[0] * off[1] + entry(0, 0) * off[1] * off[1]) / determinant;
+            -0.5 * (chi_square + libm::log(determinant))
+        };
+        let density = Density::of(&question, spans(&question));
+        for speed in [9.0, 12.0, 16.0] {
+            let [found, wanted] = [density.log(&[speed]) - density.log(&[13.0]), by_hand(speed) - by_hand(13.0)];
+            assert!((found - wanted).abs() < 1e-5, "{speed}: {found}, not {wanted}");
+        }
+        let wide = ReconstructionProblem { growing_error: growing(0.2), ..question.clone() };
+        let integral = |speed: f64| {
+            let model = Model::of(&wide);
+            let (placed, impact) = model.solve(&[speed]).expect("possible");
+            let computed = model.compared(&[speed], &placed, &impact);
+            let at = |cause: f64| {
+                // The friction has this share of the given one, and a speed of slides its root.
+                let off = [0, 1].map(|i| {
+                    let size = parts[i].1 + parts[i].2 * (computed[i] - given[i]);
+                    let (power, share) = ([-0.5, -1.0][i], 1.0 + 0.2 * cause);
+                    given[i] - computed[i] + size / (0.2 * power) * (libm::pow(share, power) - 1.0)
+                });
+                let entry = |i: usize, k: usize| sds[i] * sds[k] * if i == k { 1.0 } else { correlation } - parts[i].0 * parts[k].0;
+                let determinant = entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(0, 1);
+                let chi_square =
+                    (entry(1, 1) * off[0] * off[0] - 2.0 * entry(0, 1) * off[0] * off[1] + entry(0, 0) * off[1] * off[1]) / determinant;
+                libm::exp(-0.5 * (chi_square + cause * cause))
+            };
+            libm::log((-4700..=8000).map(|k| at(f64::from(k) * 1e-3)).sum())
+        };
+        let density = Density::of(&wide, spans(&wide));
+        for speed in [9.0, 12.0, 16.0] {
+            let [found, wanted] = [density.log(&[speed]) - density.log(&[13.0]), integral(speed) - integral(13.0)];
+            assert!((found - wanted).abs() < 0.1 * wanted.abs().max(0.2), "{speed}: {found}, not {wanted}");
+        }
+        // Of none the weights are those of the evidence.
+        let plain = ReconstructionProblem { growing_error: Vec::new(), ..question.clone() };
+        assert!(Density::of(&plain, spans(&plain)).growing.is_none() && density.growing.is_some());
+    }
 
     #[test]
     fn the_score_of_a_quantile_is_that_of_its_probability() {

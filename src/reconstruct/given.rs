@@ -98,6 +98,25 @@ impl PlacedDependence {
     }
 }
 
+/// The part of an error with one cause in a piece of evidence, which grows with what is computed: the friction of a slide to rest, in the speed that it began with. The
+/// deviations and the correlations of the evidence have it as it is at the fit; draws of the posterior have that of their own motion, without which they would lean to
+/// small ones (Peelle's puzzle).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GrowingError {
+    /// The evidence.
+    pub of: Measurand,
+    /// The standard deviation that it has of this cause, with its sign, where the deviations and correlations were taken.
+    pub at_fit: f64,
+    /// The same at the given value.
+    pub at_given: f64,
+    /// The increase of that by a unit of the computed value.
+    pub slope: f64,
+    /// The relative standard deviation of the cause.
+    pub relative_sd: f64,
+    /// The power of the cause that the computed value grows with, beside what is given of it: −1 for the ways of slides and −½ for their speeds, by the friction.
+    pub power: f64,
+}
+
 /// A reconstruction problem: the collision, its unknowns, and the evidence.
 ///
 /// ```
@@ -149,6 +168,8 @@ pub struct ReconstructionProblem {
     /// The crush energies, as evidence, that were computed from measured depths: their errors are then those of the depths, with which the root of the energy grows. To
     /// first order this changes nothing.
     pub crush_energy_from_depths: Vec<Measurand>,
+    /// An error with one cause that grows with the evidence, in each piece that has it.
+    pub growing_error: Vec<GrowingError>,
     /// The share of vehicle 1 in the crush energy, if it is known.
     pub crush_share: Option<f64>,
     /// The skid speed of vehicle 1 and of vehicle 2 ([`Variable::SkidSpeed`]), if it is known.
@@ -247,6 +268,7 @@ impl ReconstructionProblem {
             holds_radius_of_gyration: [false; 2],
             separation_from_rest: [false; 2],
             crush_energy_from_depths: Vec::new(),
+            growing_error: Vec::new(),
             crush_share: None,
             skid_speeds: [None; 2],
         }

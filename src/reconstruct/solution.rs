@@ -13,7 +13,7 @@ use super::variable::Variable;
 use super::within_limits::WithinLimits;
 use crate::collision::Collision;
 use crate::impact::Impact;
-use crate::least_squares::{Bound, Minimum, ParameterBounds};
+use crate::least_squares::{self, Bound, Minimum, ParameterBounds};
 
 /// The probability below which the evidence is inconsistent.
 pub(super) const CONTRADICTION: f64 = 1e-3;
@@ -26,7 +26,7 @@ pub struct Estimate {
     /// Its value, in SI. If the evidence does not determine it, this is one of its possible values.
     pub value: f64,
     /// Its standard deviation. `None` if the evidence does not determine it, or only by its curvature, at a fold; if an active bound or a limit of the physics
-    /// holds it; or if no piece of evidence has an uncertainty.
+    /// holds it, or another unknown without which it is much less certain; or if no piece of evidence has an uncertainty.
     pub sd: Option<f64>,
     /// The bound that it sits on.
     pub at: Option<Bound>,
@@ -201,9 +201,10 @@ impl Seen {
             if moves(&slopes.blind, *i) { !moves(&open, *i) } else { contradicts(model, minimum, spans, *i, sd(*i)) }
         };
         let at_fold: Vec<usize> = (0..values.len()).filter(is_folded).collect();
+        let narrowed = narrowed_by_bounds(model, minimum, spans);
         let estimate = |i: usize| {
             let has_slope = !moves(&open, i) && !at_fold.contains(&i);
-            let has_sd = has_errors && has_slope && !minimum.is_held[i] && minimum.margins.is_empty();
+            let has_sd = has_errors && has_slope && !minimum.is_held[i] && minimum.margins.is_empty() && !narrowed[i];
             Estimate {
                 of: model.question.unknowns[i].of,
                 value: values[i],
@@ -321,6 +322,34 @@ impl Slopes {
             self.derivatives.column_iter().map(|column| model.weights.inverse_times(&column.into_owned())).collect();
         DMatrix::from_columns(&columns)
     }
+}
+
+/// Returns for each unknown whether it is much less certain with the unknowns that a bound holds: these may lie away from their bound as far as the evidence, or their other bound,
+/// allows, and move it.
+fn narrowed_by_bounds(model: &Model<'_>, minimum: &Minimum, spans: &[ParameterBounds]) -> Vec<bool> {
+    /// Ratio of variances from which the difference is large.
+    const MUCH: f64 = 1.5 * 1.5;
+    let (held, free): (Vec<usize>, Vec<usize>) = (0..spans.len()).partition(|&i| minimum.is_held[i]);
+    let mut narrowed = vec![false; spans.len()];
+    if held.is_empty() || free.is_empty() {
+        return narrowed;
+    }
+    let slopes = model.weights.whiten(least_squares::scaled(model.derivatives(&minimum.unknowns), spans));
+    let [of_free, of_held] = [&free, &held].map(|columns| slopes.select_columns(columns));
+    // Without a factor some are not determined, and have no deviation.
+    let Some(factor) = Cholesky::new(of_free.tr_mul(&of_free)) else { return narrowed };
+    let variances = factor.inverse();
+    let moves = factor.solve(&of_free.tr_mul(&of_held));
+    let left = of_held.clone() - of_free * &moves;
+    for (k, &h) in held.iter().enumerate() {
+        let width = (spans[h].max - spans[h].min) / spans[h].scale;
+        let distance = left.column(k).norm().recip().min(width);
+        for (row, &i) in free.iter().enumerate() {
+            let moved = if moves[(row, k)] == 0.0 { 0.0 } else { moves[(row, k)] * distance };
+            narrowed[i] |= moved * moved > (MUCH - 1.0) * variances[(row, row)];
+        }
+    }
+    narrowed
 }
 
 /// Derivatives of the unknowns by the evidence.

@@ -46,6 +46,16 @@ impl Weights {
         result
     }
 
+    /// Returns the covariance that the residuals are scaled and decorrelated by.
+    pub(super) fn scaled_covariance(&self) -> DMatrix<f64> {
+        let scales = DMatrix::from_diagonal(&DVector::from_column_slice(&self.scales));
+        let correlations = self
+            .factor
+            .as_ref()
+            .map_or_else(|| DMatrix::identity(self.scales.len(), self.scales.len()), |factor| factor.l() * factor.l().transpose());
+        &scales * correlations * &scales
+    }
+
     fn divide(&self, residuals: &mut DVector<f64>) {
         for (residual, scale) in residuals.iter_mut().zip(&self.scales) {
             *residual /= scale;

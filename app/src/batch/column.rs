@@ -71,7 +71,7 @@ pub enum NotARow {
 }
 
 /// An input column of a table.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct InputColumn {
     /// Its place among the columns of the table.
     pub place: usize,
@@ -188,7 +188,7 @@ impl InputColumn {
 
     /// Returns a number of the table in SI; one that is not finite is the same in every unit, and one that SI would make zero is no number.
     #[inline]
-    fn to_si(&self, number: f64) -> f64 {
+    fn to_si(self, number: f64) -> f64 {
         let Some(conversion) = self.conversion.filter(|_| number.is_finite()) else { return number };
         let si = conversion.to_si(number);
         if si == 0.0 && number != 0.0 { f64::NAN } else { si }
@@ -242,6 +242,27 @@ impl InputColumn {
         }
     }
 
+    /// Says what to write for a cell that is no number, where it is clear what is meant.
+    pub(super) fn remedy(&self, found: &str) -> String {
+        let Key::Parameter(parameter) = self.key else { return String::new() };
+        let kind = parameter.kind();
+        let with_unit = || {
+            let quantity = quantity::parse(found, kind).ok()?;
+            Some(match self.conversion {
+                Some(conversion) => {
+                    format!("the header has the unit of the column, in which it is {}", rounded(quantity.si / conversion.to_si(1.0)))
+                }
+                None => {
+                    let unit = quantity.unit;
+                    format!("write its unit in the header, as `{} [{unit}]`, and every cell in that", self.key)
+                }
+            })
+        };
+        let help = with_unit().or_else(|| header::units_below(&self.key.to_string(), found, kind));
+        let help = help.or_else(|| quantity::parse(found, Kind::PURE).err()?.help);
+        help.map(|help| format!("; {help}")).unwrap_or_default()
+    }
+
     /// Reads numbers of the table, without a copy where they are in SI.
     pub fn of_numbers<'a>(&self, numbers: &'a [f64]) -> Column<'a> {
         match (self.key, self.conversion) {
@@ -257,16 +278,11 @@ impl Key {
     fn has_unit(self, unit: &str) -> bool {
         matches!(self, Key::Parameter(parameter) if Conversion::of(unit, parameter.kind()).is_ok())
     }
+}
 
-    /// Says what to write for a cell that is no number, where it is clear what is meant.
-    pub(super) fn remedy(&self, found: &str) -> String {
-        let Key::Parameter(parameter) = self else { return String::new() };
-        if let Ok(quantity) = quantity::parse(found, parameter.kind()) {
-            return format!("; write its unit in the header, as `{self} [{}]`", quantity.unit);
-        }
-        let help = quantity::parse(found, Kind::PURE).err().and_then(|error| error.help);
-        help.map(|help| format!("; {help}")).unwrap_or_default()
-    }
+/// Returns a number without the rounding of a conversion.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.12e}").parse().unwrap_or(number)
 }
 
 /// Returns a name without characters that nobody sees, which an editor or a page may have put into it.

@@ -39,6 +39,13 @@ pub(crate) fn unit_in_name(name: &str, kind: Kind) -> Option<(&str, &str)> {
     split(name).find(|(_, unit)| is_unit(unit))
 }
 
+/// Returns the remedy for a cell that is a unit of its column: below the names no line has the units.
+pub(crate) fn units_below(name: &str, cell: &str, kind: Kind) -> Option<String> {
+    let unit = cell.trim().trim_matches(['[', ']', '(', ')']);
+    let is_unit = !unit.is_empty() && Conversion::of(unit, kind).is_ok();
+    is_unit.then(|| format!("write the unit in the header, as `{name} [{unit}]`, and remove the line of units"))
+}
+
 /// Returns each way to split a name in two, at what people write between a name and its unit, as in `speed in mph`; no unit is longer than some bytes.
 pub(super) fn split(name: &str) -> impl Iterator<Item = (&str, &str)> {
     const LONGEST: usize = 40;

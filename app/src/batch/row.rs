@@ -101,7 +101,7 @@ pub(super) enum Fault {
     /// The row is not one of the table.
     NotARow(NotARow),
     /// A cell is not what its column needs, with what it is.
-    Unreadable(Key, Box<str>),
+    Unreadable(InputColumn, Box<str>),
     /// A number that a case file would not have.
     Outside(Parameter, f64),
     /// A number that no such quantity has, with the unit of its column, or that was probably meant in another unit, without one.
@@ -128,7 +128,8 @@ impl Fault {
         match self {
             Fault::NotARow(NotARow::Ragged { cells, columns }) => ragged(*cells, *columns).into(),
             Fault::NotARow(NotARow::NotText) => "a cell of the row is not UTF-8 text".into(),
-            Fault::Unreadable(key, found) => {
+            Fault::Unreadable(column, found) => {
+                let key = column.key;
                 let wanted = match key {
                     Key::Parameter(Parameter::Input(Input::ImpulseRatio)) => "a number or `critical`",
                     Key::Parameter(_) => "a number, without a unit and with a point",
@@ -138,7 +139,7 @@ impl Fault {
                 match quantity::finite(found) {
                     // Digits that a float cannot hold.
                     Err(why) if found.parse::<f64>().is_ok() => format!("{key}: {}", why.message).into(),
-                    _ => format!("{key} is {}; it must be {wanted}{}", excerpt(found), key.remedy(found)).into(),
+                    _ => format!("{key} is {}; it must be {wanted}{}", excerpt(found), column.remedy(found)).into(),
                 }
             }
             Fault::Outside(parameter, number) => match parameter.domain().wanted(*number).filter(|_| number.is_finite()) {
@@ -247,16 +248,16 @@ impl Row<'_> {
     #[cold]
     #[inline(never)]
     fn wrong(&mut self, column: usize, cell: Cell) -> f64 {
-        let key = self.keys[column].key;
-        self.faults.push(match (cell, key) {
+        let column = self.keys[column];
+        self.faults.push(match (cell, column.key) {
             (Cell::Number(number), Key::Parameter(of)) if number.is_finite() && of.domain().wanted(number).is_none() => {
-                Fault::Implausible { of, number, has_unit: self.keys[column].has_unit() }
+                Fault::Implausible { of, number, has_unit: column.has_unit() }
             }
             (Cell::Number(number), Key::Parameter(parameter)) => Fault::Outside(parameter, number),
-            (Cell::Number(number), _) => Fault::Unreadable(key, number.to_string().into()),
-            (Cell::Unreadable(found), _) => Fault::Unreadable(key, found),
-            (Cell::Critical, _) => Fault::Unreadable(key, "critical".into()),
-            (Cell::Empty, _) => Fault::Unreadable(key, "".into()),
+            (Cell::Number(number), _) => Fault::Unreadable(column, number.to_string().into()),
+            (Cell::Unreadable(found), _) => Fault::Unreadable(column, found),
+            (Cell::Critical, _) => Fault::Unreadable(column, "critical".into()),
+            (Cell::Empty, _) => Fault::Unreadable(column, "".into()),
         });
         f64::NAN
     }

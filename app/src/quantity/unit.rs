@@ -280,6 +280,11 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
         "mps" => Some("write `m/s`"),
         "fpm" => Some("write `ft/min`"),
         "kts" => Some("write `kn`"),
+        "ips" => Some("write `in/s`"),
+        "nmi" => Some("a nautical mile is 1852 m, and one in an hour a knot: write `m` or `kn`"),
+        "nm" | "pt" | "pts" => Some("write the length in `m`, `mm`, `ft` or `in`"),
+        "nms" => Some("write `N m s`"),
+        "mrad" | "mrads" => Some("write `rad` or `deg`"),
         "stone" | "stones" => Some("a stone is 14 lb: write `lb` or `kg`"),
         "grad" | "grads" => Some("it is a 400th of a turn to surveyors and a 360th in German: write `gon` or `deg`"),
         _ => None,
@@ -296,8 +301,12 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
         let meant = if one == other { format!("{one}^2") } else { format!("{one} {other}") };
         return QuantityError::with_help(message, format!("did you mean `{meant}`?"));
     }
+    if let Some(base) = name.strip_prefix('\u{221a}') {
+        return QuantityError::with_help(message, format!("write `{base}^0.5`"));
+    }
     // Other signs of division and multiplication: without them the nearest name would be that of something else.
-    for (signs, ordinary) in [(['\u{2215}', '\u{2044}', '\u{f7}'], "/"), (['\u{d7}', '\u{2219}', '\u{2022}'], "*")] {
+    let signs: [(&[char], &str); 2] = [(&['\u{2215}', '\u{2044}', '\u{f7}'], "/"), (&['\u{d7}', '\u{2219}', '\u{2022}', '.'], "*")];
+    for (signs, ordinary) in signs {
         if let Some(sign) = name.chars().find(|c| signs.contains(c)) {
             return QuantityError::with_help(message, format!("write `{ordinary}` for `{sign}`"));
         }
@@ -370,6 +379,10 @@ mod tests {
         assert!(message("tons").starts_with("unknown unit `tons` (a ton is 2000 lb in America"));
         assert!(message("Grad").starts_with("unknown unit `Grad` (it is a 400th of a turn"));
         assert_eq!(message("kgm^2"), "unknown unit `kgm` (did you mean `kg m`?)");
+        assert_eq!(message("\u{221a}lbf/ft"), "unknown unit `\u{221a}lbf` (write `lbf^0.5`)");
+        assert_eq!(message("lbf.s^2*ft"), "unknown unit `lbf.s` (write `*` for `.`)");
+        assert_eq!(message("ips"), "unknown unit `ips` (write `in/s`)");
+        assert_eq!(message("Nms"), "unknown unit `Nms` (write `N m s`)");
         assert_eq!(message("m/ss"), "unknown unit `ss` (did you mean `s^2`?)");
         assert_eq!(message("lbfs^2/ft"), "unknown unit `lbfs` (did you mean `lbf s`?)");
         assert_eq!(message("m2"), "unknown unit `m2` (did you mean `m^2`?)");

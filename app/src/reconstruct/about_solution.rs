@@ -1,7 +1,9 @@
 //! The search for the solution about which separations from rest positions are followed.
 
 use planar_impact::post_impact::Separation;
-use planar_impact::reconstruct::{Answer, Dependence, Estimate, Measurand, ReconstructionProblem, Solution, SolveError, Unknown, Verdict};
+use planar_impact::reconstruct::{
+    Answer, Dependence, Estimate, GrowingError, Measurand, ReconstructionProblem, Solution, SolveError, Unknown, Variable, Verdict,
+};
 use planar_impact::{Motion, Side, Xy};
 
 use super::dependences::is_followed;
@@ -53,8 +55,11 @@ pub fn solved(
         let is_weighed = tries > MOST_WEIGHTS || answer.verdict == Verdict::Contradicted || are_alike(&weigh(&about), &weighed);
         if is_in_reach(answer.best()) && Side::ALL.into_iter().all(is_about) && is_weighed {
             let answer = without(answer, |solution| !is_in_reach(solution));
-            let ask = |about: &Separations| Question::about(case, &inputs, &weigh(about));
-            return reconciled(case, &inputs, question, answer, about, &ask);
+            let growing = growing_errors(&question.asked, &about, &weighed, gyrations);
+            let ask = |about: &Separations| Question::about(case, &inputs, &with_fits_of(&weighed, about));
+            let (mut question, answer, about) = reconciled(case, &inputs, question, answer, about, &ask)?;
+            question.asked.growing_error = growing;
+            return Ok((question, answer, about));
         }
         weighed = weigh(&there);
         question = Question::about(case, &inputs, &weighed)?;
@@ -83,17 +88,58 @@ fn moved(case: &Case, inputs: &Inputs, separations: &Separations, asked: &Recons
     Some(there)
 }
 
-/// Returns the motions that the errors by the friction grow with: those of the fit. A way on locked wheels, which is compared as a way, grows as the square of its
-/// motion: to first order, its errors are those of a motion twice as far from the given one.
+/// Returns how many times as far from the given motion that is with which an error by the friction grows: a way on locked wheels, which is compared as a way, grows as the square of
+/// its motion, which is twice as much to first order.
+fn times_of_way(asked: &ReconstructionProblem, side: Side) -> f64 {
+    if asked.separation_from_rest[side as usize] { 2.0 } else { 1.0 }
+}
+
+/// Returns the motions that the errors by the friction grow with: those of the fit.
 fn motions_by_friction(asked: &ReconstructionProblem, best: &Solution, separations: &Separations) -> [Motion; 2] {
     let motion = |side: Side| {
         let given = separations[side as usize].as_ref()?.motion.components();
-        let times = if asked.separation_from_rest[side as usize] { 2.0 } else { 1.0 };
+        let times = times_of_way(asked, side);
         let off = outputs(side).map(|of| best.evidence.iter().find(|fitted| fitted.of == of).map_or(0.0, |fitted| fitted.residual));
         let [x, y, yaw_rate] = std::array::from_fn(|i| given[i] - times * off[i]);
         Some(Motion { velocity: Xy { x, y }, yaw_rate })
     };
     Side::ALL.map(|side| motion(side).unwrap_or(Motion::rest()))
+}
+
+/// Returns the errors by the friction as they grow with the motion, of separations and of the same with the errors that the evidence has. Empty where skid speeds depend on the
+/// same friction: those are first-order parts of priors.
+fn growing_errors(asked: &ReconstructionProblem, about: &Separations, weighed: &Separations, gyrations: [f64; 2]) -> Vec<GrowingError> {
+    let of_side = |side: Side| {
+        let place = side as usize;
+        let (about, weighed) = (about[place].as_ref()?, weighed[place].as_ref()?);
+        let (share, times) = (about.share_by_friction(gyrations[place]), times_of_way(asked, side));
+        // Speeds grow with the root of the friction.
+        let (slope, relative_sd, power) = (times * share, 2.0 * share, -0.5 * times);
+        let parts = about.by_friction.components().into_iter().zip(weighed.by_friction.components());
+        let error = move |(of, (at_given, at_fit))| GrowingError { of, at_fit, at_given, slope, relative_sd, power };
+        (about.by_friction != Motion::rest()).then(|| outputs(side).into_iter().zip(parts).map(error))
+    };
+    if shares_friction_with_skids(asked) {
+        return Vec::new();
+    }
+    Side::ALL.into_iter().filter_map(of_side).flatten().collect()
+}
+
+/// Returns `true` if skid speeds depend on the friction of the separations.
+fn shares_friction_with_skids(asked: &ReconstructionProblem) -> bool {
+    let is_skid = |of: Measurand| matches!(of, Measurand::Variable(Variable::SkidSpeed(_)));
+    asked.correlations.iter().any(|pair| is_skid(pair.one) || is_skid(pair.other))
+}
+
+/// Returns the separations with the fits of others.
+fn with_fits_of(separations: &Separations, others: &Separations) -> Separations {
+    let mut all = separations.clone();
+    for (one, other) in all.iter_mut().zip(others) {
+        if let (Some(one), Some(other)) = (one, other) {
+            one.fit.clone_from(&other.fit);
+        }
+    }
+    all
 }
 
 /// Returns the separations with the errors by the friction of motions.

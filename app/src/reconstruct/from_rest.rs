@@ -6,6 +6,7 @@ use planar_impact::{Motion, Output, Side, Xy};
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::question::Question;
 use crate::case::{Case, Known, vehicle_number};
 use crate::issue::{Issue, Issues};
 use crate::message::Message;
@@ -139,12 +140,14 @@ fn of_short_slide(side: Side, separation: &Separation, is_by_way: bool) -> Optio
     (sd > if is_by_way { BY_WAY } else { STRAIGHT } * speed).then(|| Notice::warning("slide-short", key(side), message()))
 }
 
-/// Returns a warning of a posterior by a friction that is far from exact: the errors that it causes grow with the motion, and draws have those of the fitted one.
-pub fn of_posterior(separations: &Separations) -> Option<Notice> {
+/// Returns a warning of a posterior by a friction that is far from exact and that skid speeds depend on too: the errors that it causes grow with the motion, and draws have those of
+/// the fitted one.
+pub fn of_posterior(question: &Question, separations: &Separations) -> Option<Notice> {
     /// Share of a separation speed, by the friction alone. Of 0.65 ± 0.05, which is just below it, the median lies 0.15 standard deviations below that of an exact friction.
     const STRAIGHT: f64 = 0.04;
     let is_wide = |separation: &&Separation| separation.by_friction.velocity.length() > STRAIGHT * separation.motion.velocity.length();
-    separations.iter().flatten().any(|separation| is_wide(&separation)).then(|| {
+    let is_doubtful = question.asked.growing_error.is_empty() && separations.iter().flatten().any(|separation| is_wide(&separation));
+    is_doubtful.then(|| {
         let message = "the draws of the posterior have the errors by the friction that the fitted motion has, and those of a faster one are larger: speeds are drawn too low, \
                        and the intervals hold; give the friction with a smaller uncertainty, or read the intervals";
         Notice::warning("posterior-friction", "rest.friction", message)

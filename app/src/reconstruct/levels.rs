@@ -50,10 +50,13 @@ pub(super) fn of_uniform(case: &Case, question: &Question, level: f64) -> Option
 pub(super) fn beyond_deviations(case: &Case, intervals: &[Interval]) -> Option<Notice> {
     /// Ratio of the two from which the standard deviation misleads.
     const FAR: f64 = 2.0;
+    /// Share of a value that is rounding.
+    const ROUNDING: f64 = 1e-9;
     let of_normal = |level: f64| Distribution::Normal { mean: 0.0, sd: 1.0 }.quantile(0.5 + 0.5 * level);
     let is_far = |interval: &&Interval| {
         let half = 0.5 * (interval.high - interval.low);
-        interval.sd.is_some_and(|sd| half.is_finite() && half > FAR * of_normal(interval.level) * sd && sd > 0.0)
+        let is_wide = half.is_finite() && half > ROUNDING * interval.value.abs();
+        interval.sd.is_some_and(|sd| is_wide && half > FAR * of_normal(interval.level) * sd && sd > 0.0)
     };
     let of: Vec<String> = intervals.iter().filter(is_far).map(|interval| name_of(interval.of, case)).collect();
     let message = || {

@@ -4,7 +4,7 @@ use planar_impact::STANDARD_GRAVITY;
 use planar_impact::barrier::{Record, TestIssue};
 
 use super::ChannelQuantity;
-use crate::batch::{Header, commented, separated_otherwise, unit_in_name};
+use crate::batch::{Header, commented, separated_otherwise, unit_in_name, units_below};
 use crate::case::{Rows, read_cell};
 use crate::notice::Notice;
 use crate::quantity::{self, Conversion, Kind, QuantityError};
@@ -162,18 +162,20 @@ impl Samples {
             if value_cell.is_empty() {
                 continue;
             }
-            let mut read = |column: &str, cell: &str, scale, help: &str| match scale_cell(cell, scale) {
+            let mut read = |column: &str, cell: &str, kind, scale, help: &str| match scale_cell(cell, scale) {
                 Ok(value) => Some(value),
                 Err(QuantityError { message, .. }) => {
+                    let help = units_below(column, cell, kind).unwrap_or_else(|| help.to_owned());
                     faults.push(self.fault(*line, column, message, help));
                     None
                 }
             };
-            let of_time = read(&self.headers[time].name, at, of_time, "correct the time of this row, or remove the row");
+            let of_time = read(&self.headers[time].name, at, Kind::DURATION, of_time, "correct the time of this row, or remove the row");
             instants.extend(of_time.map(|at| (at, *line)));
             let of_channel = read(
                 name,
                 value_cell,
+                of.kind(),
                 scale,
                 "correct the cell; channels that go together need the same instants, and one by itself may leave it empty",
             );

@@ -1,7 +1,10 @@
 //! Warnings of what samples do not tell.
 
+use planar_impact::uncertainty as library;
+
 use super::{OutputUncertainty, ends};
 use crate::case::CaseOutput;
+use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::trim;
 
@@ -21,6 +24,30 @@ pub(super) fn heavy_tails(outputs: &[CaseOutput], of: &[OutputUncertainty], solv
         )
     };
     (solved >= MANY && !names.is_empty()).then(|| Notice::warning("heavy-tails", "", message()))
+}
+
+/// Returns `true` if curvature makes a standard deviation much larger than slopes do.
+pub(super) fn is_bent(linear: &library::Linear, second: &library::SecondOrder) -> bool {
+    /// Ratio from which an interval of 95 % by the slopes holds less than 88 %.
+    const MUCH: f64 = 1.25;
+    /// Share of the value that is rounding.
+    const ROUNDING: f64 = 1e-9;
+    second.sd.is_finite() && second.sd > MUCH * linear.sd && second.sd > ROUNDING * linear.mean.abs()
+}
+
+/// Warns of a standard deviation by slopes that hardly change the output where it bends, such as that of a symmetric collision.
+pub(super) fn linear_bends(of: CaseOutput, linear: f64, second: f64) -> Notice {
+    /// Share of the other that is rounding.
+    const ROUNDING: f64 = 1e-9;
+    let linear = if linear < ROUNDING * second { 0.0 } else { linear };
+    let message = Message::from(format!("the standard deviation of {of} is "))
+        .figure(of.measure(), linear)
+        .text(" by slopes, and ")
+        .figure(of.measure(), second)
+        .text(
+            " with curvature: the linear one is too small, and says little of which input matters; take second-order, monte-carlo or sobol",
+        );
+    Notice::warning("linear-bends", of.to_string(), message)
 }
 
 /// Warns if the inputs are mostly what physics refuses: what is left of them is another distribution than the one that was given.

@@ -375,6 +375,16 @@ fn a_cell_that_is_no_number_has_a_remedy() {
     assert!(speed("12 m/s").contains("with a point; write its unit in the header, as `vehicle.1.speed [m/s]`"), "{}", speed("12 m/s"));
     assert!(speed("\u{2212}12").contains("with a point; write an ordinary minus sign"), "{}", speed("\u{2212}12"));
     assert!(speed("1,200").contains("with a point; write 1200"), "{}", speed("1,200"));
+    assert!(speed("12 m/s").contains("[m/s]`, and every cell in that\n"), "{}", speed("12 m/s"));
+    let of_header = of("vehicle.1.speed [m/s]", "40 mph");
+    assert!(of_header.contains("; the header has the unit of the column, in which it is 17.8816\n"), "{of_header}");
+    for unit in ["mph", "[mph]"] {
+        assert!(
+            speed(unit).contains("; write the unit in the header, as `vehicle.1.speed [mph]`, and remove the line of units\n"),
+            "{}",
+            speed(unit)
+        );
+    }
     assert!(speed("fast").contains("without a unit and with a point\n"), "{}", speed("fast"));
     assert!(of("contact.restitution", "10 %").contains("as `contact.restitution [%]`"), "{}", of("contact.restitution", "10 %"));
 }

@@ -442,11 +442,14 @@ fn an_uncertain_friction_of_ways_to_rest_moves_no_speed() {
         let interval = |speed: &Value| ["low", "high"].map(|end| number(&speed["interval"][end]));
         (speeds.each_ref().map(|speed| number(&speed["value"])), speeds.each_ref().map(interval), number(&answer["chi_square"]))
     };
-    let drawn = |friction: &str| {
+    // The middle of the draws is that of the friction, and not that of the motions which have the smallest errors; a density that is uniform in the speed moves it by a fiftieth.
+    let medians = |friction: &str| {
         let answer = json_of(&["reconstruct", "--posterior"], &case(friction));
-        answer["messages"].to_string().matches("\"posterior-friction\"").count()
+        assert!(!answer["messages"].to_string().contains("posterior-friction"));
+        [1, 2].map(|i| answer["unknown"][format!("vehicle.{i}.speed")]["posterior"]["median"].as_f64().expect("a median"))
     };
-    assert_eq!(["0.65", "\"0.65 ± 0.05\"", "\"0.65 ± 0.06\""].map(drawn), [0, 0, 1]);
+    let [exact, wide] = ["0.65", "\"0.65 ± 0.13\""].map(medians);
+    assert!(exact.iter().zip(wide).all(|(exact, wide)| (wide / exact - 1.0).abs() < 0.025), "{exact:?} and {wide:?}");
     let (speeds, intervals, chi_square) = of("0.65");
     let (same, wider, same_chi_square) = of("\"0.65 ± 0.13\"");
     assert!((chi_square - same_chi_square).abs() < 0.02 * chi_square && chi_square > 1.0, "{chi_square} and {same_chi_square}");

@@ -226,6 +226,22 @@ fn speeds_of_no_energy_have_no_derivatives_by_what_it_is_made_of() {
     assert_eq!(document["planar"]["together"]["delta_v_magnitude"], serde_json::json!([0.0, 0.0]));
 }
 
+/// Half the square of d0 times the width: 60 kN/m over the root of 400 kN/m², and 1.8 m.
+#[test]
+fn an_energy_without_a_depth_has_a_warning() {
+    let crushed = |stiffness: &str| {
+        let case = format!(
+            "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2400\nheading = 0\nspeed = 10\nimpact_center = [2, 0]\n[vehicle.crush]\nwidth = \"1.8 m\"\ndepths = [\"0 m\", \"0 m\"]\nstiffness = {{ {stiffness} }}\n[[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = 0\nrestitution = 0.1\n"
+        );
+        let text = run_with_input(&["crush", "-", "--units", "si"], &case).out;
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let warned = crushed("A = \"60 kN/m\", B = \"400 kN/m^2\"");
+    assert!(warned.contains("no depth, and an energy of 8100 J") && warned.contains("stiffness with d0 = 0"), "{warned}");
+    let uncrushed = crushed("d0 = \"0 N^0.5\", d1 = \"632 N^0.5/m\"");
+    assert!(!uncrushed.contains("no depth"), "{uncrushed}");
+}
+
 #[test]
 fn forces_that_are_not_opposite_are_noted() {
     let case = example("stiff-corner.toml");

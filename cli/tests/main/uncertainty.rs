@@ -738,3 +738,33 @@ fn frictions_of_one_road_may_be_correlated() {
     let (together, is_noted) = sd(&format!("{piece}, {piece}"), pair);
     assert!(!is_noted && (together / whole / 0.995_f64.sqrt() - 1.0).abs() < 1e-9, "{together} {whole}");
 }
+
+/// The loss of a symmetric head-on collision has no slope by the crush plane: a deviation by slopes is none, and only curvature tells it, or samples.
+#[test]
+fn slopes_that_say_little_of_a_deviation_have_a_warning() {
+    let head_on = |plane: &str| {
+        format!(
+            "schema = 1\n[[vehicle]]\nmass = \"1500 kg\"\nyaw_inertia = \"2500 kg m^2\"\nheading = \"0 deg\"\nspeed = \"15 m/s\"\nimpact_center = [\"2 m\", \"0 m\"]\n[[vehicle]]\n\
+             mass = \"1500 kg\"\nyaw_inertia = \"2500 kg m^2\"\nheading = \"180 deg\"\nspeed = \"15 m/s\"\nimpact_center = [\"2 m\", \"0 m\"]\n[contact]\ncrush_plane = \"{plane}\"\nrestitution = 0.1\n"
+        )
+    };
+    let found = |plane: &str, methods: &str| {
+        let call = ["uncertainty", "-", "--of", "T_L", "--method", methods, "--format", "json"];
+        let found: Value = serde_json::from_str(&run_with_input(&call, &head_on(plane)).out).expect("JSON");
+        let messages = found["messages"].to_string();
+        (found["of"]["energy.loss"].clone(), messages.contains("linear-bends"))
+    };
+    let (symmetric, is_warned) = found("0 deg ± 4 deg", "linear");
+    assert!(is_warned && symmetric["linear"]["sd"].as_f64().is_some_and(|sd| sd < 1e-9), "{symmetric}");
+    assert_eq!(symmetric["linear"]["sd_if_halved"]["contact.crush_plane"], Value::Null);
+    let text = run_with_input(
+        &["uncertainty", "-", "--of", "T_L", "--method", "linear,second-order,monte-carlo", "--samples", "20000"],
+        &head_on("0 deg ± 4 deg"),
+    )
+    .out;
+    let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(!flat.contains("To narrow it most") && flat.contains("is 0 J by slopes, and 40 J with curvature"), "{text}");
+    let (oblique, is_warned) = found("20 deg ± 1 deg", "linear");
+    assert!(!is_warned && oblique["linear"]["sd_if_halved"]["contact.crush_plane"].is_f64(), "{oblique}");
+    assert!(!found("0 deg ± 4 deg", "second-order").1);
+}

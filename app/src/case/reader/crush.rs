@@ -10,7 +10,9 @@ use crate::case::crush::{CrushInputs, CrushKey, FormKey, Places, ProfileInputs, 
 use crate::case::domain::Domain;
 use crate::case::parameter::Parameter;
 use crate::document::{Field, Table, Value};
+use crate::message::Message;
 use crate::notice::Notice;
+use crate::units::Measure;
 use crate::unusual;
 
 /// Maximum number of zones: measured stiffnesses have few zones, and each zone is evaluated for every depth.
@@ -109,8 +111,12 @@ impl CaseReader {
         let path = table.path();
         let warn = |code, path: String, message: String| self.notices.borrow_mut().push(Notice::warning(code, path, message));
         self.notices.borrow_mut().extend(unusual::sizes_of_crush(path, inputs));
-        if profile.depths().iter().copied().reduce(f64::max) == Some(0.0) {
-            warn("no-depth", path.to_owned(), format!("{path}: no depth, so its energy is what leaves no crush, from d0 alone"));
+        let energy = crush.energy();
+        if profile.depths().iter().all(|depth| *depth == 0.0) && energy > 0.0 {
+            let message = Message::from(format!("{path}: no depth, and an energy of "))
+                .figure(Measure::Energy, energy)
+                .text(", which leaves no crush; of a vehicle that was not crushed give a stiffness with d0 = 0");
+            self.notices.borrow_mut().push(Notice::warning("no-depth", path.to_owned(), message));
         }
         let (first, last) = (profile.stations()[0], profile.stations()[0] + profile.width());
         for (i, border) in inputs.borders.iter().enumerate().filter(|(_, border)| !(first..=last).contains(border)) {

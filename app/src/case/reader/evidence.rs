@@ -129,7 +129,7 @@ fn settled(piece: &Piece<'_>, vehicles: [&Option<VehicleInputs>; 2]) -> Option<K
         let Some(vehicle) = vehicles[*side as usize] else { continue };
         let own = vehicle.crush.as_ref().map(|crush| crush.on_scalar(|_| 0.0).energy());
         if own.is_none() {
-            let help = "give its crush; of a vehicle that was not crushed it has depths of 0".to_owned();
+            let help = "give its crush; of a vehicle that was not crushed, depths of 0 and a stiffness with d0 = 0".to_owned();
             piece.place.report(format!("vehicle {} has no [vehicle.crush]", number(*side)), Some(help));
         }
         energy = energy.zip(own).map(|(sum, own)| sum + own);

@@ -6,7 +6,7 @@ use planar_impact::Distribution;
 
 use super::CaseReader;
 use super::csv_column::CsvColumn;
-use crate::batch::unit_in_name;
+use crate::batch::{unit_in_name, units_below};
 use crate::case::domain::Domain;
 use crate::case::uncertain::{MOST_VALUES, Uncertain};
 use crate::document::{Field, Table};
@@ -96,6 +96,7 @@ impl CaseReader {
         let (mut values, mut lines) = (Vec::new(), Vec::new());
         let (mut sound, mut bare, mut with_unit) = (true, None, None);
         for (line, cell) in column.cells {
+            let of_units = cell.as_ref().ok().and_then(|cell| units_below(name, cell, kind));
             let read = cell.map_err(QuantityError::from).and_then(|cell| read_cell(&cell, unit.zip(conversion), kind));
             let read = read.and_then(|read| match domain.wanted(read.si) {
                 Some(wanted) => Err(QuantityError {
@@ -129,7 +130,7 @@ impl CaseReader {
                     lines.push(line);
                 }
                 Err(QuantityError { message, help }) => {
-                    let help = help.or_else(|| Some("correct the cell, or remove its row".to_owned()));
+                    let help = of_units.or(help).or_else(|| Some("correct the cell, or remove its row".to_owned()));
                     of_file.report(format!("{}:{line}: {name}: {message}", source.name), help);
                     sound = false;
                 }
@@ -341,6 +342,8 @@ mod tests {
             assert!(found.starts_with(&format!("vehicle.1.mass.file: folder/tests.csv:{wanted}")), "{found}");
         }
         assert!(found[1].ends_with("(correct the cell, or remove its row)"), "{found:?}");
+        let with_units = refused(OF_FILE, "m\nlb\n1500\n1600\n");
+        assert!(with_units[0].ends_with("(write the unit in the header, as `m [lb]`, and remove the line of units)"), "{with_units:?}");
         assert!(refused(OF_FILE, "a,m\n1\n")[0].contains("tests.csv:2: m: the row has 1 cell, and the table has 2 columns"));
         // Without a unit in the header the cells are as numbers in a case file.
         assert!(refused(OF_FILE, "m\n5 m\n")[0].contains("`5 m` is a length; a mass is expected"));

@@ -173,7 +173,7 @@ fn what_is_unusual_is_noted() {
     let folder = Folder::new();
     for (edits, words) in [
         ((DEPTHS, "depths = [12.5, 10]"), "12.50 m is deeper than the structure of a car"),
-        ((DEPTHS, "depths = [0, 0]"), "from d0 alone"),
+        ((DEPTHS, "depths = [0, 0]"), "no depth, and an energy of"),
         (("width = \"5 ft\"", "width = \"5 mm\""), "is not that of a crush"),
         (("width = \"5 ft\"", "width = \"60 ft\""), "is not that of a crush"),
         ((D0_D1, "[{ to = 9, d0 = 1, d1 = 2 }, { d0 = 1, d1 = 2 }]"), "lies outside the crush"),

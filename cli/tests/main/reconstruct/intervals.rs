@@ -238,6 +238,30 @@ fn no_loss_among_gains_is_a_limit() {
     near(number(&found["solution"]["energy"]["loss_share"]), 0.0, 1e-6);
 }
 
+/// A restitution on its bound moves the speed as far as it may lie within it: the interval tells how far, and the slope along the bound a seventh of that. Where it moves the speed
+/// little there is a deviation.
+#[test]
+fn a_bound_that_narrows_a_speed_leaves_it_without_a_deviation() {
+    let found = |speed: &str| {
+        let text = format!(
+            "schema = 1\n[[vehicle]]\nmass = \"1300 kg\"\nyaw_inertia = \"2200 kg m^2\"\nheading = \"0 deg\"\nimpact_center = [\"1.8 m\", \"0 m\"]\n[[vehicle]]\nbarrier = true\n\
+             [contact]\ncrush_plane = \"0 deg\"\n[evidence]\nvehicle.1.delta_v_forward = \"-14 m/s ± 0.1 m/s\"\nvehicle.1.equivalent_energy_speed = \"10 m/s ± 0.7 m/s\"\n{speed}\
+             [unknown]\nvehicle.1.speed = {{ start = \"11 m/s\", min = \"0 m/s\" }}\ncontact.restitution = {{ start = 0.1, min = 0, max = 0.3 }}\n"
+        );
+        let (found, status) = super::answer(&text);
+        assert_eq!((status, &found["unknown"]["contact.restitution"]["at_bound"]), (0, &json!("max")));
+        found
+    };
+    let alone = found("");
+    let [low, high] = ends(&alone, "vehicle.1.speed");
+    let value = number(&alone["unknown"]["vehicle.1.speed"]["value"]);
+    assert!(high - value > 5.0 * (value - low), "{low} {value} {high}");
+    assert_eq!(alone["unknown"]["vehicle.1.speed"]["sd"], Value::Null);
+    assert_eq!(alone["covariance"]["vehicle.1.speed"]["vehicle.1.speed"], Value::Null);
+    let known = found("contact.closing_speed = \"10.77 m/s ± 0.05 m/s\"\n");
+    assert!(number(&known["unknown"]["vehicle.1.speed"]["sd"]) < 0.05);
+}
+
 /// The slide to rest begins where the impact center says, so that the separation follows it: V = √(2 μ g d), and the variance of the speed has a part by d.
 #[test]
 fn a_separation_follows_what_is_uncertain_of_its_vehicle() {

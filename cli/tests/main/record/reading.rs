@@ -63,6 +63,8 @@ fn bad_samples_are_refused_at_their_lines() {
         ("1,5", "1,5,6", "the row has 3 of 2 cells"),
         ("1,5", "1,5,6", "remove what is too much"),
         ("1,5", ",5", "correct the time of this row"),
+        ("1,5", "ms,5", "write the unit in the header, as `time [ms]`, and remove the line of units"),
+        ("1,5", "1,[kN]", "write the unit in the header, as `normal_force [kN]`, and remove the line of units"),
         ("1,5", "-1,5", "time: the time is not later than the one before"),
         ("1,5", ",5", "time: "),
         ("kN]", "kg]", "[kg]: `kg` is a mass; a force is expected"),
