@@ -1,6 +1,6 @@
 //! Checks of a reconstruction problem, before any search.
 
-use super::given::{ReconstructionProblem, Uncertainty, Unknown};
+use super::given::{GrowingError, ReconstructionProblem, Uncertainty, Unknown};
 use super::issue::{ReconstructionIssue, ReconstructionIssues};
 use super::measurand::Measurand;
 use super::variable::{Variable, party};
@@ -55,6 +55,7 @@ impl ReconstructionProblem {
         let mut found = IssueCollector::new();
         unknowns(self, &mut found);
         evidence(self, &mut found);
+        growing_errors(self, &mut found);
         correlations(self, &mut found);
         if self.unknowns.is_empty() {
             found.push(ReconstructionIssue::NothingUnknown);
@@ -169,6 +170,25 @@ fn evidence(question: &ReconstructionProblem, found: &mut IssueCollector<Reconst
             Uncertainty::Resolution(step) => deviation(&mut numbers, at.part("resolution"), step),
             Uncertainty::Exact => {}
         }
+        for issue in numbers.finish().err().into_iter().flatten() {
+            found.push(ReconstructionIssue::Evidence { of, issue });
+        }
+    }
+}
+
+fn growing_errors(question: &ReconstructionProblem, found: &mut IssueCollector<ReconstructionIssue>) {
+    for &GrowingError { of, at_fit, at_given, slope, relative_sd, power } in &question.growing_error {
+        if !question.evidence.iter().any(|evidence| evidence.of == of) {
+            found.push(ReconstructionIssue::NothingToMeasure(of));
+        }
+        let mut numbers = IssueCollector::<InputIssue>::new();
+        let at = Place::of(of.name(), of.measure());
+        for (what, value) in
+            [("error at the fit", at_fit), ("error at the value", at_given), ("slope of the error", slope), ("power of the cause", power)]
+        {
+            numbers.within(at.part(what), &value, -GREATEST, Some(GREATEST));
+        }
+        deviation(&mut numbers, at.part("standard deviation of the cause"), relative_sd);
         for issue in numbers.finish().err().into_iter().flatten() {
             found.push(ReconstructionIssue::Evidence { of, issue });
         }

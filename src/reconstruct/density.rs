@@ -67,7 +67,8 @@ impl Growing {
         for (row, part) in &self.parts {
             let size = part.at_given - part.slope * residuals[*row];
             let share = 1.0 + part.relative_sd * cause;
-            left[*row] += size / (part.power * part.relative_sd) * (libm::pow(share, part.power) - 1.0);
+            let grown = if part.power == 0.0 { libm::log(share) } else { (libm::pow(share, part.power) - 1.0) / part.power };
+            left[*row] += size / part.relative_sd * grown;
             error[*row] = size * libm::pow(share, part.power - 1.0);
         }
         for rows in [&mut left, &mut error] {

@@ -101,6 +101,22 @@ impl PlacedDependence {
 /// The part of an error with one cause in a piece of evidence, which grows with what is computed: the friction of a slide to rest, in the speed that it began with. The
 /// deviations and the correlations of the evidence have it as it is at the fit; draws of the posterior have that of their own motion, without which they would lean to
 /// small ones (Peelle's puzzle).
+///
+/// ```
+/// use planar_impact::reconstruct::*;
+/// use planar_impact::{Collision, Party, Side, Vehicle};
+///
+/// // A slide that gives a separation at 3 m/s ± 0.32 m/s, of which ± 0.3 m/s by a friction of ± 20 %, with whose root the speed grows.
+/// let car = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(13.0);
+/// let mut problem = ReconstructionProblem::of(Collision::new(car, Party::Barrier).with_restitution(0.25))
+///     .unknown(Variable::Speed(Side::One), 13.0)
+///     .evidence(Measurand::SeparationSpeed(Side::One), 3.0, Uncertainty::StandardDeviation(0.32));
+/// let error = GrowingError { of: Measurand::SeparationSpeed(Side::One), at_fit: 0.3, at_given: 0.3, slope: 0.1, relative_sd: 0.2, power: -0.5 };
+/// problem.growing_error.push(error);
+/// assert!(problem.check().is_ok());
+/// problem.growing_error[0].relative_sd = 0.0;
+/// assert!(problem.check().is_err());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GrowingError {
     /// The evidence.

@@ -117,7 +117,8 @@ fn growing_errors(asked: &ReconstructionProblem, about: &Separations, weighed: &
         let (slope, relative_sd, power) = (times * share, 2.0 * share, -0.5 * times);
         let parts = about.by_friction.components().into_iter().zip(weighed.by_friction.components());
         let error = move |(of, (at_given, at_fit))| GrowingError { of, at_fit, at_given, slope, relative_sd, power };
-        (about.by_friction != Motion::rest()).then(|| outputs(side).into_iter().zip(parts).map(error))
+        let is_in_question = |error: &GrowingError| asked.evidence.iter().any(|evidence| evidence.of == error.of);
+        (relative_sd > 0.0).then(|| outputs(side).into_iter().zip(parts).map(error).filter(is_in_question))
     };
     if shares_friction_with_skids(asked) {
         return Vec::new();
