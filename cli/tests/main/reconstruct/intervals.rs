@@ -238,6 +238,15 @@ fn no_loss_among_gains_is_a_limit() {
     near(number(&found["solution"]["energy"]["loss_share"]), 0.0, 1e-6);
 }
 
+/// The ratio of vehicles that slide is the friction, and both its deviation and its interval are rounding, of which one may be far wider than the other.
+#[test]
+fn rounding_is_not_wider_than_its_deviation() {
+    let (found, status) = answer("sliding_ratio.toml", 1);
+    let ratio = &found["derived"]["contact.impulse_ratio"];
+    assert!(status == 0 && number(&ratio["sd"]) < 1e-12, "{ratio}");
+    assert!(!found["messages"].to_string().contains("interval-beyond-sd"), "{}", found["messages"]);
+}
+
 /// A restitution on its bound moves the speed as far as it may lie within it: the interval tells how far, and the slope along the bound a seventh of that. Where it moves the speed
 /// little there is a deviation.
 #[test]
