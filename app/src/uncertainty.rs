@@ -320,10 +320,12 @@ impl<'a> Question<'a> {
     fn expand_one(&self, of: CaseOutput, to: &mut OutputUncertainty, notices: &mut Vec<Notice>) -> Result<(), Refusals> {
         /// Most inputs whose curvature judges the slopes: it grows with their square.
         const MOST_BENT: usize = 64;
+        let is_judged = self.asks(Method::Linear) && self.parameters.len() <= MOST_BENT;
+        let second = (is_judged || self.asks(Method::SecondOrder)).then(|| self.uncertain.second_order(of));
         if self.asks(Method::Linear) {
             let linear = self.uncertain.linear(of)?;
-            let second = (self.parameters.len() <= MOST_BENT).then(|| self.uncertain.second_order(of).ok()).flatten();
-            let bent = second.filter(|second| doubts::is_bent(&linear, second));
+            let bent = second.as_ref().filter(|_| is_judged).and_then(|second| second.as_ref().ok());
+            let bent = bent.filter(|second| doubts::is_bent(&linear, second));
             let effect = |(derivative, number): (&f64, &library::UncertainNumber)| {
                 if *derivative == 0.0 { 0.0 } else { positive_zero(derivative * number.sd()) }
             };
@@ -337,8 +339,8 @@ impl<'a> Question<'a> {
             });
             notices.extend(bent.map(|second| doubts::linear_bends(of, linear.sd, second.sd)));
         }
-        if self.asks(Method::SecondOrder) {
-            let library::SecondOrder { mean, sd, skewness } = self.uncertain.second_order(of)?;
+        if let Some(second) = second.filter(|_| self.asks(Method::SecondOrder)) {
+            let library::SecondOrder { mean, sd, skewness } = second?;
             to.second_order = Some(SecondOrder { mean: positive_zero(mean), sd, skewness });
         }
         Ok(())

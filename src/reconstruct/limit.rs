@@ -52,16 +52,18 @@ fn work<T: Real>(impact: &Impact<T>) -> T {
 
 /// Returns `true` if the impact at a point, and those beside it, lose nothing but rounding: an elastic impact is at no limit. One that loses nothing among others that
 /// gain is.
-fn is_elastic(model: &Model<'_>, point: &[f64]) -> bool {
+fn is_elastic(model: &Model<'_>, point: &[f64], impact: &Impact) -> bool {
     /// Share of the work that is rounding, far below the margin at which a search ends.
     const NOTHING: f64 = 1e-9;
+    if impact.loss().abs() > NOTHING * work(impact) {
+        return false;
+    }
     let mut moved: Vec<Dual64> = point.iter().copied().map(Dual64::from).collect();
     (0..point.len()).all(|k| {
         moved[k].eps = model.scales[k];
         let impact = model.place(&moved).evaluate();
-        let share = impact.loss() / work(&impact);
         moved[k].eps = 0.0;
-        share.re.abs() <= NOTHING && share.eps.abs() <= NOTHING
+        (impact.loss() / work(&impact)).eps.abs() <= NOTHING
     })
 }
 
@@ -109,7 +111,7 @@ impl Margins {
                 (_, ImpulseRatio::OfCritical(share)) if share != 0.0 || placed.ratio_is_unknown => 1.0,
                 _ => 0.0,
             },
-            may_gain: placed.impulse.is_some() || !is_elastic(model, point),
+            may_gain: placed.impulse.is_some() || !is_elastic(model, point, impact),
             velocity,
             impulse,
             energy: impulse * velocity,

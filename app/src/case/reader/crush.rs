@@ -109,20 +109,20 @@ impl CaseReader {
         let crush = inputs.on_scalar(|_| 0.0);
         let profile = &crush.profile;
         let path = table.path();
-        let warn = |code, path: String, message: String| self.notices.borrow_mut().push(Notice::warning(code, path, message));
+        let warn = |code, path: String, message: Message| self.notices.borrow_mut().push(Notice::warning(code, path, message));
         self.notices.borrow_mut().extend(unusual::sizes_of_crush(path, inputs));
         let energy = crush.energy();
         if profile.depths().iter().all(|depth| *depth == 0.0) && energy > 0.0 {
             let message = Message::from(format!("{path}: no depth, and an energy of "))
                 .figure(Measure::Energy, energy)
                 .text(", which leaves no crush; of a vehicle that was not crushed give a stiffness with d0 = 0");
-            self.notices.borrow_mut().push(Notice::warning("no-depth", path.to_owned(), message));
+            warn("no-depth", path.to_owned(), message);
         }
         let (first, last) = (profile.stations()[0], profile.stations()[0] + profile.width());
         for (i, border) in inputs.borders.iter().enumerate().filter(|(_, border)| !(first..=last).contains(border)) {
             let at = format!("{path}.stiffness.{}.to", i + 1);
             let message = format!("{at} = {border} m lies outside the crush, which is from {first} m to {last} m");
-            warn("zone-outside-crush", at, message);
+            warn("zone-outside-crush", at, message.into());
         }
     }
 

@@ -27,7 +27,7 @@ pub(super) struct NoColumn {
 }
 
 /// The error of a row without a text in the column.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum NoCell {
     /// The cell is empty.
     Empty,

@@ -96,8 +96,8 @@ impl CaseReader {
         let (mut values, mut lines) = (Vec::new(), Vec::new());
         let (mut sound, mut bare, mut with_unit) = (true, None, None);
         for (line, cell) in column.cells {
-            let of_units = cell.as_ref().ok().and_then(|cell| units_below(name, cell, kind));
-            let read = cell.map_err(QuantityError::from).and_then(|cell| read_cell(&cell, unit.zip(conversion), kind));
+            let read =
+                cell.as_ref().map_err(|none| QuantityError::from(*none)).and_then(|cell| read_cell(cell, unit.zip(conversion), kind));
             let read = read.and_then(|read| match domain.wanted(read.si) {
                 Some(wanted) => Err(QuantityError {
                     message: format!("it is {} {}; it must be {wanted}", read.si, kind.si).replace(" ;", ";"),
@@ -130,6 +130,7 @@ impl CaseReader {
                     lines.push(line);
                 }
                 Err(QuantityError { message, help }) => {
+                    let of_units = cell.ok().and_then(|cell| units_below(name, &cell, kind));
                     let help = of_units.or(help).or_else(|| Some("correct the cell, or remove its row".to_owned()));
                     of_file.report(format!("{}:{line}: {name}: {message}", source.name), help);
                     sound = false;
