@@ -15,7 +15,7 @@ use planar_impact::{ForwardLeft, ImpulseRatio, Input, Moment, Side, Xy};
 pub use answer::{Answer, Refused};
 pub use column::{Cell, Column, InputColumn, Key, NotARow, Table};
 pub use header::{Header, separated_otherwise};
-pub(crate) use header::{commented, unit_in_name, units_below};
+pub(crate) use header::{not_names, unit_in_name, units_below};
 pub use row_warning::RowWarning;
 
 use self::row::{ContactColumns, Defaults, VehicleColumns, VehicleDefaults};
@@ -91,7 +91,7 @@ impl Plan {
                 Err(issue) => issues.push(issue),
             }
         }
-        if let Some([wrong, remedy]) = commented(headers).filter(|_| inputs.is_empty()) {
+        if let Some([wrong, remedy]) = not_names(headers).filter(|_| inputs.is_empty()) {
             return Err(Issues::of_call(vec![Issue::of_file("no-input-column", wrong).with_help(remedy)]));
         }
         if base.is_some() && !headers.is_empty() && inputs.is_empty() && issues.is_empty() {
@@ -175,6 +175,18 @@ impl Plan {
             let message = format!("{} has no unit and is read in {unit}, beside {}, which has one: give each its own", bare.key, other.key);
             Some(Notice::warning("mixed-units", bare.key.to_string(), message))
         });
+        let loses_motion = |(side, columns): &(Side, &VehicleColumns)| {
+            let of_case = base.and_then(|case| case.inputs.vehicles[*side as usize].as_ref());
+            columns.speed.is_some() && of_case.is_some_and(VehicleInputs::moves_across)
+        };
+        let replaced = Side::ALL.into_iter().zip(&self.vehicles).filter(loses_motion).map(|(side, _)| {
+            let speed = Parameter::Speed(side);
+            let [x, y] = [Input::VelocityX(side), Input::VelocityY(side)];
+            let message = format!(
+                "{speed}: it replaces the whole velocity of the case, and the component across the heading is lost; to keep it, write the columns {x} and {y}"
+            );
+            Notice::warning("motion-across-lost", speed.to_string(), message)
+        });
         // A few degrees are as plausible in radians.
         let is_angle = |column: &&InputColumn| column.assumed_unit() == Some(Kind::ANGLE.si);
         let angles: Vec<String> = self.inputs.iter().filter(is_angle).map(|column| column.key.to_string()).collect();
@@ -194,6 +206,7 @@ impl Plan {
             .chain(follows)
             .chain(unread)
             .chain(in_si)
+            .chain(replaced)
             .chain(assumed)
             .collect()
     }

@@ -42,8 +42,11 @@ impl Document {
         let json = is_json(&source);
         let parsed = if json { json::parse(&source.text) } else { toml::parse(&source.text) };
         let source = Arc::new(source);
-        let of_table = |list| if source.name.to_ascii_lowercase().ends_with(".csv") { vec![is_table(&source.name)] } else { list };
-        let root = parsed.map_err(|list| Issues::new(Cause::Input, source.clone(), of_table(list)))?;
+        let said = |list: Vec<Issue>| match () {
+            () if source.name.to_ascii_lowercase().ends_with(".csv") => vec![is_table(&source.name)],
+            () => other_format(&source.text, json).map_or(list, |issue| vec![issue]),
+        };
+        let root = parsed.map_err(|list| Issues::new(Cause::Input, source.clone(), said(list)))?;
         match root.value {
             Value::Table(entries) => {
                 let span = Some(root.span).filter(|_| json);
@@ -154,6 +157,16 @@ fn child<'a>(node: &'a Node, part: &str) -> Option<&'a Node> {
 fn is_table(name: &str) -> Issue {
     let message = format!("{} is a table, where a TOML or JSON file is expected", excerpt(name));
     Issue::of_file("unreadable-file", message).with_help("`batch` solves tables, `check` reads records, and `record` recordings")
+}
+
+/// Returns the issue of a file in one format whose name is that of the other.
+fn other_format(text: &str, json: bool) -> Option<Issue> {
+    let (is_other, [found, expected]) = match json {
+        true => (toml::parse(text).is_ok(), ["TOML", "JSON"]),
+        false => (json::parse(text).is_ok(), ["JSON", "TOML"]),
+    };
+    let help = || format!("let the name of the file end in .{}", found.to_ascii_lowercase());
+    is_other.then(|| Issue::of_file("syntax", format!("this is not {expected}, as its name says, but {found}")).with_help(help()))
 }
 
 fn is_json(source: &Source) -> bool {

@@ -99,7 +99,8 @@ pub struct SampledOutput<K = Output> {
     pub sd: Estimated,
     /// Its third central moment divided by the cube of its standard deviation.
     pub skewness: f64,
-    /// Its quantiles, each with its probability: [`QUANTILES`] and those asked for, in increasing order.
+    /// Its quantiles, each with its probability: [`QUANTILES`] and those asked for, in increasing order. Beyond all samples, where less than one is expected, the standard
+    /// error is NaN.
     pub quantiles: Vec<(f64, Estimated)>,
     /// Edges of bins of equal width, one more than bins, between the quantiles of 0.1 % and 99.9 %.
     pub edges: Vec<f64>,
@@ -301,7 +302,9 @@ fn answer<K: Copy + PartialEq + fmt::Debug + Send + Sync>(question: &MonteCarlo<
                 (sorted.quantile(high) - sorted.quantile(low)) * (error / (high - low))
             };
             let of_parts = parts.as_ref().map(|parts| error_of_mean(parts.iter().map(|part| part.quantile(p))));
-            let standard_error = of_parts.unwrap_or_else(own);
+            // Of a quantile beyond all samples they know that it is no nearer than the outermost one.
+            let is_beyond = p.min(1.0 - p) * n < 1.0;
+            let standard_error = if is_beyond { f64::NAN } else { of_parts.unwrap_or_else(own) };
             (p, Estimated { value, standard_error })
         };
         let (least, greatest) = (sorted.quantile(0.001), sorted.quantile(0.999));

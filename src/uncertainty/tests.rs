@@ -226,6 +226,19 @@ fn quantiles_probabilities_and_refusals_are_those_of_the_normal_distribution() {
     assert!((shown - 0.998).abs() < 2e-3 && found.edges.len() == found.shares.len() + 1);
 }
 
+/// The outermost of the samples is only known to be nearer than such a quantile.
+#[test]
+fn a_quantile_beyond_all_samples_has_no_standard_error() {
+    let uncertain = head_on().uncertain(&[(V, Normal { mean: 20.0, sd: 1.0 })]).expect("uncertain");
+    for points in [Points::Random, Points::Sobol] {
+        let question = MonteCarlo { quantiles: vec![0.0009, 0.0011, 0.9989, 0.9991], points, ..MonteCarlo::of(1000) };
+        let sampled = uncertain.monte_carlo(&[DELTA_V], &question);
+        for (p, quantile) in &sampled.output(DELTA_V).quantiles {
+            assert_eq!(quantile.standard_error.is_nan(), p.min(1.0 - p) < 0.001, "{p}: {quantile:?}");
+        }
+    }
+}
+
 /// Where friction limits the ratio, the ratio is the friction: neither above nor below it, whatever its last bits are.
 #[test]
 fn what_is_the_value_itself_is_neither_above_nor_below() {

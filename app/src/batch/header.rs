@@ -58,12 +58,20 @@ pub(super) fn split(name: &str) -> impl Iterator<Item = (&str, &str)> {
     parts.filter(|(name, unit)| !name.is_empty() && !unit.is_empty())
 }
 
-/// Returns what is wrong with column names of which the first begins as a comment, and the remedy.
-pub(crate) fn commented(headers: &[Header]) -> Option<[&'static str; 2]> {
-    let is_comment = headers.first().is_some_and(|first| first.name.starts_with('#'));
-    is_comment
-        .then_some(["the first line must name the columns, and begins with #", "remove the lines above the names; CSV has no comments"])
+/// Returns what is wrong with column names of which the first begins as a comment, or as the separator of a spreadsheet does, and the remedy.
+pub(crate) fn not_names(headers: &[Header]) -> Option<[&'static str; 2]> {
+    match headers.first()?.name.as_str() {
+        first if first.starts_with('#') => {
+            Some(["the first line must name the columns, and begins with #", "remove the lines above the names; CSV has no comments"])
+        }
+        first if first.starts_with("sep=") => Some(SEPARATOR_LINE),
+        _ => None,
+    }
 }
+
+/// A line for a spreadsheet alone.
+const SEPARATOR_LINE: [&str; 2] =
+    ["the first line must name the columns, and is `sep=`", "remove it: only some spreadsheets read the separator there"];
 
 /// Returns what is wrong with a line of column names in which no comma separates them, and the remedy.
 ///
@@ -71,10 +79,14 @@ pub(crate) fn commented(headers: &[Header]) -> Option<[&'static str; 2]> {
 /// use planar_impact_app::batch::separated_otherwise;
 /// let [wrong, remedy] = separated_otherwise("time [ms];force [kN]").expect("semicolons");
 /// assert!(wrong.contains("semicolons") && remedy.contains("commas"));
+/// assert!(separated_otherwise("sep=,").is_some_and(|[_, remedy]| remedy.contains("remove it")));
 /// assert_eq!(separated_otherwise("time [ms],note; remark"), None);
 /// assert_eq!(separated_otherwise("speed"), None);
 /// ```
 pub fn separated_otherwise(line: &str) -> Option<[&'static str; 2]> {
+    if line.starts_with("sep=") {
+        return Some(SEPARATOR_LINE);
+    }
     let is_otherwise = !line.contains(',') && line.contains([';', '\t']);
     is_otherwise.then_some(["the columns are separated by semicolons or tabs", "separate them by commas, and write numbers with a point"])
 }

@@ -89,6 +89,12 @@ impl VehicleInputs {
         self.inertia.of(self.mass)
     }
 
+    /// Returns `true` if the velocity has a component across the heading, which a speed has none of.
+    pub fn moves_across(&self) -> bool {
+        let Velocity::Components(velocity) = self.velocity else { return false };
+        Heading::from_angle(self.heading).to_vehicle(velocity).left.abs() > 1e-9 * velocity.length()
+    }
+
     fn ahead(&self) -> f64 {
         match self.velocity {
             Velocity::Speed(speed) => speed,

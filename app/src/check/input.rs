@@ -7,6 +7,7 @@ use super::csv::Table;
 use super::document::{self, Layout, Records, Unusable};
 use super::jsonl::JsonLines;
 use super::lines::{LONGEST, Lines};
+use crate::decode::is_utf_16;
 use crate::document::{Value, json};
 
 /// Maximum size of a JSON document read from a pipe, which cannot be read twice.
@@ -192,7 +193,7 @@ fn sniff(mut source: Reader, extension: Option<&str>) -> Result<(Kind, Reader), 
             return Err(vec![of_file("it is empty")]);
         }
         if std::mem::take(&mut is_first) {
-            if head.starts_with(&[0xff, 0xfe]) || head.starts_with(&[0xfe, 0xff]) {
+            if is_utf_16(&head) {
                 return Err(vec![of_file("it is UTF-16; save it as UTF-8")]);
             }
             head.drain(..if head.starts_with(&[0xef, 0xbb, 0xbf]) { 3 } else { 0 });
@@ -216,10 +217,27 @@ fn sniff(mut source: Reader, extension: Option<&str>) -> Result<(Kind, Reader), 
     Ok((kind, Box::new(Cursor::new(head).chain(source))))
 }
 
-/// Returns `true` if a line is a complete object without records: the header of JSON Lines.
+/// Returns `true` if a line is a complete object without records, perhaps with a fault: the header of JSON Lines.
 fn is_header(line: &[u8]) -> bool {
-    let node = str::from_utf8(line).ok().and_then(|text| json::parse(text).ok());
-    node.is_some_and(|node| matches!(&node.value, Value::Table(entries) if !entries.iter().any(|entry| entry.key == "records")))
+    match str::from_utf8(line).map(json::parse) {
+        Ok(Ok(node)) => matches!(&node.value, Value::Table(entries) if !entries.iter().any(|entry| entry.key == "records")),
+        _ => closes(line) && !line.windows(9).any(|key| key == b"\"records\""),
+    }
+}
+
+/// Returns `true` if a line closes as many braces as it opens, outside of its strings.
+fn closes(line: &[u8]) -> bool {
+    let (mut open, mut is_quoted, mut is_escaped) = (0_i64, false, false);
+    for byte in line {
+        match byte {
+            b'"' if !is_escaped => is_quoted = !is_quoted,
+            b'{' if !is_quoted => open += 1,
+            b'}' if !is_quoted => open -= 1,
+            _ => (),
+        }
+        is_escaped = is_quoted && *byte == b'\\' && !is_escaped;
+    }
+    open == 0 && !is_quoted
 }
 
 #[cfg(test)]
@@ -243,6 +261,10 @@ mod tests {
             ("[]", Some("ndjson"), Kind::Lines),
             (header, None, Kind::Lines),
             (header, Some("json"), Kind::Lines),
+            ("{\"units\": {\"length\": \"m\" \"mass\": \"}\\\"\"}}\n{}\n", None, Kind::Lines),
+            ("{\"units\": {\"length\": \"m\"}\n, \"records\": []}\n", None, Kind::Document),
+            ("{\"units\": {\"length\": \"}\n", None, Kind::Document),
+            ("{\"units\": {\"length\" 1}, \"records\": []}\n", None, Kind::Document),
             ("\u{feff}\n {\"records\": []}\n", None, Kind::Document),
             ("[\n]", Some("txt"), Kind::Document),
             ("id,e\n", Some("json"), Kind::Document),

@@ -87,7 +87,10 @@ fn a_good_file_in_both_formats() {
     for name in ["case.json", "CASE.JSON", "<stdin>", "case.txt"] {
         assert_eq!(read(name, json), Ok(good()));
     }
-    assert!(read("case.toml", json).unwrap_err().contains("this is not TOML"));
+    let [in_toml, in_json] = [("case.toml", json), ("case.json", GOOD)].map(|(name, text)| read(name, text).unwrap_err());
+    assert!(in_toml.contains("this is not TOML, as its name says, but JSON") && in_toml.contains("end in .json"), "{in_toml}");
+    assert!(in_json.contains("this is not JSON, as its name says, but TOML") && in_json.contains("end in .toml"), "{in_json}");
+    assert!(read("case.json", "a = \"1").unwrap_err().contains("this is not JSON: "));
 }
 
 #[test]

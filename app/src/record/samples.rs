@@ -4,7 +4,7 @@ use planar_impact::STANDARD_GRAVITY;
 use planar_impact::barrier::{Record, TestIssue};
 
 use super::ChannelQuantity;
-use crate::batch::{Header, commented, separated_otherwise, unit_in_name, units_below};
+use crate::batch::{Header, not_names, separated_otherwise, unit_in_name, units_below};
 use crate::case::{Rows, read_cell};
 use crate::notice::Notice;
 use crate::quantity::{self, Conversion, Kind, QuantityError};
@@ -66,7 +66,7 @@ impl Samples {
             [place] => Ok(place),
             [] => Err(match &self.headers[..] {
                 [only] if let Some([wrong, remedy]) = separated_otherwise(&only.name) => self.fault(1, "", wrong, remedy),
-                all if let Some([wrong, remedy]) = commented(all) => self.fault(1, "", wrong, remedy),
+                all if let Some([wrong, remedy]) = not_names(all) => self.fault(1, "", wrong, remedy),
                 _ => self.fault(1, name, "no column has this name", format!("its columns are {}", self.names())),
             }),
             _ => Err(self.fault(1, name, format!("{} columns have this name", found.len()), "give each column a name of its own")),

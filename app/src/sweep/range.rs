@@ -1,8 +1,8 @@
 //! Ranges of inputs, such as `contact.crush_plane=-10 deg:10 deg:1 deg`.
 
-use planar_impact::{Heading, Input};
+use planar_impact::Input;
 
-use crate::case::{Inputs, Parameter, Velocity};
+use crate::case::{Inputs, Parameter};
 use crate::issue::Issue;
 use crate::names;
 use crate::quantity::{self, Conversion, Quantity, QuantityError, excerpt};
@@ -121,12 +121,10 @@ pub fn read(texts: &[String], inputs: &Inputs, issues: &mut Vec<Issue>) -> Vec<R
 /// point of a sweep would keep that component.
 fn moves_across(parameter: Parameter, inputs: &Inputs) -> Option<(String, String)> {
     let Parameter::Speed(side) = parameter else { return None };
-    let vehicle = inputs.vehicles[side as usize].as_ref()?;
-    let Velocity::Components(velocity) = vehicle.velocity else { return None };
-    let across = Heading::from_angle(vehicle.heading).to_vehicle(velocity).left;
-    let message = || "the velocity of the case has a component across the heading, and a speed has none".to_owned();
-    let help = || format!("vary `{}` and `{}`, or give the vehicle a `speed` in the case", Input::VelocityX(side), Input::VelocityY(side));
-    (across.abs() > 1e-9 * velocity.length()).then(|| (message(), help()))
+    inputs.vehicles[side as usize].as_ref().filter(|vehicle| vehicle.moves_across())?;
+    let message = "the velocity of the case has a component across the heading, and a speed has none".to_owned();
+    let help = format!("vary `{}` and `{}`, or give the vehicle a `speed` in the case", Input::VelocityX(side), Input::VelocityY(side));
+    Some((message, help))
 }
 
 fn too_many() -> Option<String> {

@@ -138,7 +138,7 @@ pub struct MonteCarlo {
     /// Quantiles by their probabilities.
     #[schemars(with = "Named<Option<f64>>")]
     pub quantiles: Named<f64>,
-    /// Their standard errors.
+    /// Their standard errors; `null` where less than one sample is expected beyond a quantile.
     #[schemars(with = "Named<Option<f64>>")]
     pub quantiles_se: Named<f64>,
     /// The density.

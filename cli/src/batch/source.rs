@@ -141,6 +141,9 @@ impl Source {
 
     fn csv(name: &str, bytes_of: Box<dyn Read>, bytes: Arc<AtomicU64>, size: u64) -> Result<Source, Issues> {
         let mut reader = csv::ReaderBuilder::new().flexible(true).buffer_capacity(BUFFER).from_reader(Followed::new(bytes_of));
+        if reader.byte_headers().is_ok_and(|headers| headers.get(0).is_some_and(decode::is_utf_16)) {
+            return Err(decode::unreadable(name, "is UTF-16; save it as UTF-8"));
+        }
         let headers = reader.headers().map_err(|error| match error.kind() {
             csv::ErrorKind::Utf8 { .. } => decode::unreadable(name, "has a header that is not UTF-8 text; save it as UTF-8"),
             _ => not_a_table(name, &error),

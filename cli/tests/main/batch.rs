@@ -210,6 +210,15 @@ fn columns_with_other_signs_and_rows_without_numbers_are_named() {
         let said = said(&format!("contact.restitution,{header}\n0.1,5\n")).split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(said.contains(remedy), "{header}: {said}");
     }
+    // A speed has no component across the heading, which this case has.
+    let crabbed = |header: &str| {
+        run_with_input(&["batch", "-", "-o", "-", "--case", "cli/examples/crabbed-barrier.toml", "--of", "T_L"], &format!("{header}\n10\n"))
+    };
+    let warning = "warning: vehicle.1.speed: it replaces the whole velocity of the case, and the component across the heading is lost; to keep it, write the \
+                   columns vehicle.1.velocity.x and vehicle.1.velocity.y";
+    let said_of = |header: &str| crabbed(header).err.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(said_of("vehicle.1.speed"), warning);
+    assert_eq!(said_of("vehicle.1.velocity.x"), "");
     assert_eq!(said("vehicle.1.speed,speedometer 2,car,site 1,mass spectrum_m\n10,5,1,1,1\n"), "");
     // A name of a megabyte has no unit behind each of its signs.
     assert_eq!(said(&format!("vehicle.1.speed,vehicle.2.speed,{}\n10,5,1\n", "x_".repeat(1 << 19))), "");
@@ -431,12 +440,15 @@ fn threads_and_formats_change_no_bit() {
 fn a_header_that_is_not_utf_8_is_told() {
     let folder = Folder::new();
     let path = folder.path().join("in.csv");
-    for header in
-        [b"vehicle.1.speed,v\xfc\n12,1\n".to_vec(), "\u{feff}vehicle.1.speed\n12\n".encode_utf16().flat_map(u16::to_le_bytes).collect()]
-    {
+    let utf_16 = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    for (header, said) in [
+        (b"vehicle.1.speed,v\xfc\n12,1\n".to_vec(), "has a header that is not UTF-8 text; save it as UTF-8"),
+        (utf_16("\u{feff}vehicle.1.speed\n12\n"), "is UTF-16; save it as UTF-8"),
+        (utf_16("vehicle.1.speed,site\n12,1\n"), "is UTF-16; save it as UTF-8"),
+    ] {
         fs::write(&path, header).expect("a table");
         let refused = batch(&[text(&path), "-o", "-", "--case", POSITION_A]);
-        assert!(refused.status == 2 && refused.err.contains("has a header that is not UTF-8 text; save it as UTF-8"), "{}", refused.err);
+        assert!(refused.status == 2 && refused.err.contains(said), "{}", refused.err);
     }
 }
 
@@ -558,6 +570,7 @@ fn a_call_that_fails_writes_no_file() {
     fs::write(path("semicolons.csv"), "vehicle.1.speed;vehicle.1.mass\n40;1500\n").expect("a file");
     fs::write(path("other.csv"), "speed,e\n40,0.1\n").expect("a file");
     fs::write(path("commented.csv"), "# of the inquiry\nvehicle.1.speed\n40\n").expect("a file");
+    fs::write(path("separator.csv"), "sep=,\nvehicle.1.speed,site\n40,a\n").expect("a file");
     fs::write(path("separating.csv"), "vehicle.1.speed\n40\n-40\n").expect("a file");
     fs::write(path("unreadable.csv"), "vehicle.1.speed\n40\nx\n").expect("a file");
     fs::write(path("tiny.csv"), "vehicle.1.speed\n1e-400\n").expect("a file");
@@ -573,7 +586,7 @@ fn a_call_that_fails_writes_no_file() {
     let mut writer =
         ArrowWriter::try_new(fs::File::create(path("typed.parquet")).expect("a file"), typed.schema(), None).expect("a writer");
     writer.write(&typed).and_then(|()| writer.close()).expect("a table");
-    let calls: [(&[&str], i32, &str); 23] = [
+    let calls: [(&[&str], i32, &str); 24] = [
         (&[&path("empty.arrow")], 2, "empty.arrow` has no columns"),
         (&[&path("separating.csv"), &path("typed.parquet")], 2, "error: the column vehicle.1.speed is Float64 in `"),
         (&[&path("open-1.csv")], 2, "cannot be read as a table: the quote that begins a cell in line 2 is never closed"),
@@ -583,6 +596,7 @@ fn a_call_that_fails_writes_no_file() {
         (&[&path("open-9000.csv")], 2, "the quote that begins a cell in line 9001 is never closed"),
         (&[&path("other.csv")], 2, "no column is an input of a collision, so every row would be the case itself"),
         (&[&path("commented.csv")], 2, "the first line must name the columns, and begins with #"),
+        (&[&path("separator.csv")], 2, "the first line must name the columns, and is `sep=`"),
         (&["no-such.csv"], 2, "there is no such file"),
         (&["cli"], 2, "it must end in .csv, .parquet, .arrow, .feather or .ipc"),
         (&["-", "-"], 2, "standard input can be read only once"),

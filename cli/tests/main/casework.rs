@@ -345,6 +345,7 @@ fn no_road_has_the_friction_or_the_grade_of_a_skid() {
         ("friction = 0.45", "friction = 45", "skid.2.friction: it is 45; it must be from 0 to 10"),
         ("grade = \"2 %\"", "grade = 2", "skid.2.grade: it is 2; it must be from -1 to 1"),
         ("grade = \"2 %\"", "grade = -1.1", "skid.2.grade: it is -1.1; it must be from -1 to 1"),
+        ("reaction_time = \"1.5 s\"", "reaction_time = 1500", "reaction_time: it is 1500 s; it must be at most 60 s"),
         ("skid = [", "skid = {} #", "list them in [ ]: skid = [{ ... }]"),
     ] {
         let run = with(old, new);

@@ -13,6 +13,8 @@ use crate::quantity::Kind;
 
 /// Most skids of a vehicle.
 const MOST_SKIDS: usize = 32;
+/// Longest time from perception to the first skid, in s; none is longer than a few seconds.
+const LONGEST_REACTION: f64 = 60.0;
 
 impl CaseReader {
     /// Reads `[before]`: how each party brakes that is a vehicle.
@@ -45,9 +47,15 @@ impl CaseReader {
 
     fn braking(&self, table: &Table<'_>, side: Side) -> Option<BrakingInputs> {
         let skids = self.skids(table.required("skid"), side);
+        let place = table.optional("reaction_time");
         let reaction_time = table.has("reaction_time").then(|| self.not_negative(table.optional("reaction_time"), Kind::DURATION));
         table.finish();
         let reaction_time = match reaction_time {
+            Some(Some(time)) if time > LONGEST_REACTION => {
+                let help = format!("write its unit, as in \"{time} ms\"");
+                place.report_as("out-of-range", format!("it is {time} s; it must be at most {LONGEST_REACTION} s"), Some(help));
+                return None;
+            }
             Some(time) => Some(time?),
             None => None,
         };

@@ -1,5 +1,6 @@
 //! A value and its uncertainty, of evidence and of inputs.
 
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use planar_impact::Distribution;
@@ -450,20 +451,45 @@ fn log_normal(table: &Table<'_>, kind: Kind, median: f64, factor: f64) -> Option
 
 /// Returns `true` if the limits are in order and a named value lies between them; reports the issue otherwise.
 fn is_between(table: &Table<'_>, kind: Kind, min: f64, max: f64, value: Option<(&'static str, f64)>) -> bool {
-    let in_si = |value: f64| format!("{value} {}", kind.si).trim_end().to_owned();
+    let written = |key| as_written(&table.optional(key), kind);
     if min >= max {
-        let help = (min == max).then(|| "a number that is known has no `min` and `max`: write the number alone".to_owned());
-        table.optional("max").report_as("out-of-order", format!("it is {}; it must be above `min`, {}", in_si(max), in_si(min)), help);
+        let help = match min == max {
+            true => Some("a number that is known has no `min` and `max`: write the number alone".to_owned()),
+            false => across_zero(kind, [min, max]),
+        };
+        let message = format!("it is {}; it must be above `min`, {}", written("max"), written("min"));
+        table.optional("max").report_as("out-of-order", message, help);
         return false;
     }
     match value.filter(|(_, value)| !(min..=max).contains(value)) {
         Some((key, value)) => {
-            let message = format!("it is {}; it must be from `min`, {}, to `max`, {}", in_si(value), in_si(min), in_si(max));
-            table.optional(key).report_as("out-of-range", message, None);
+            let message = format!("it is {}; it must be from `min`, {}, to `max`, {}", written(key), written("min"), written("max"));
+            table.optional(key).report_as("out-of-range", message, same_direction(kind, value, [min, max]));
             false
         }
         None => true,
     }
+}
+
+/// Returns a number as the file has it, with the unit in which it counts if it has none.
+fn as_written(field: &Field<'_>, kind: Kind) -> String {
+    match field.value() {
+        Some(Value::Number(number)) => format!("{} {}", number.text, kind.si).trim_end().to_owned(),
+        Some(Value::String(text)) => text.clone(),
+        _ => String::new(),
+    }
+}
+
+/// Returns the remedy for an angle beyond its limits that is within them after a turn.
+pub(super) fn same_direction(kind: Kind, angle: f64, [min, max]: [f64; 2]) -> Option<String> {
+    let turned = || [angle - TAU, angle + TAU].into_iter().find(|angle| (min..=max).contains(angle));
+    (kind.dimension == Kind::ANGLE.dimension).then(turned)?.map(|angle| format!("the same direction is {} deg", trim(angle.to_degrees())))
+}
+
+/// Returns the remedy for limits of an angle that cross, as from 350 to 10 degrees.
+pub(super) fn across_zero(kind: Kind, [min, max]: [f64; 2]) -> Option<String> {
+    let is_narrow = kind.dimension == Kind::ANGLE.dimension && (0.0..PI).contains(&(max - (min - TAU)));
+    is_narrow.then(|| format!("for limits on both sides of 0 deg write `min` as {} deg", trim((min - TAU).to_degrees())))
 }
 
 /// Returns `true` if a text has a standard deviation after its value.

@@ -115,9 +115,15 @@ fn makes_a_curve(field: &Field<'_>, speeds: &[f64]) -> bool {
     }
     let mut increases = true;
     let items = field.clone().items("an array", 0..=MOST_POINTS).unwrap_or_default();
+    let is_bare = |(item, speed): (&Field<'_>, &f64)| (*speed != 0.0).then(|| matches!(item.value(), Some(Value::Number(_))));
+    let bare: Vec<bool> = items.iter().zip(speeds).filter_map(is_bare).collect();
+    let has_mixed_units = bare.contains(&true) && bare.contains(&false);
     for (pair, item) in speeds.windows(2).zip(items.into_iter().skip(1)) {
         if pair[1] <= pair[0] {
-            let help = "give the points in the order of their closing speeds, each once".to_owned();
+            let help = match has_mixed_units {
+                true => format!("write the unit of each: a closing speed without one is in {}", Kind::SPEED.si),
+                false => "give the points in the order of their closing speeds, each once".to_owned(),
+            };
             item.report("the closing speed is not above the one before it", Some(help));
             increases = false;
         }

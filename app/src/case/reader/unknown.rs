@@ -4,7 +4,7 @@ use planar_impact::Input;
 use planar_impact::reconstruct::{Measurand, Variable};
 
 use super::CaseReader;
-use super::measured::{Amount, Spread, is_folder};
+use super::measured::{Amount, Spread, across_zero, is_folder, same_direction};
 use crate::case::knowledge::{RequestedUnknown, names_of_unknowns};
 use crate::case::parameter::Parameter;
 use crate::document::{Field, Table, Value};
@@ -73,7 +73,7 @@ impl CaseReader {
         table.finish();
         let all = |value: Option<Option<f64>>| value.map_or(Some(None), |value| value.map(Some));
         let requested = RequestedUnknown { start: all(start)?, min: all(min)?, max: all(max)?, prior: all(prior)?, ..bare };
-        if !are_in_order(&table, &requested) {
+        if !are_in_order(&table, kind, &requested) {
             return None;
         }
         record(&requested);
@@ -83,7 +83,7 @@ impl CaseReader {
 
 /// Refuses bounds that cross, and a start beyond them, of every verb. The library checks this too, and that they are in the domain, which depends on the
 /// collision.
-fn are_in_order(table: &Table<'_>, unknown: &RequestedUnknown) -> bool {
+fn are_in_order(table: &Table<'_>, kind: Kind, unknown: &RequestedUnknown) -> bool {
     let RequestedUnknown { start, min, max, .. } = *unknown;
     let refuse = |key, value, must_be: &'static str, bound, help: Option<String>| {
         let figure = |value| Message::new().figure(unknown.of.measure(), value);
@@ -91,13 +91,15 @@ fn are_in_order(table: &Table<'_>, unknown: &RequestedUnknown) -> bool {
         table.optional(key).report(message, help);
         false
     };
+    let limits = [min.unwrap_or(f64::NEG_INFINITY), max.unwrap_or(f64::INFINITY)];
     match (start, min, max) {
         (_, Some(min), Some(max)) if min >= max => {
-            let is_known = "what is known is no unknown: give its value, and leave it out of [unknown]";
-            refuse("max", max, "above min, ", min, (min == max).then(|| is_known.to_owned()))
+            let is_known = || "what is known is no unknown: give its value, and leave it out of [unknown]".to_owned();
+            let help = if min == max { Some(is_known()) } else { across_zero(kind, limits) };
+            refuse("max", max, "above min, ", min, help)
         }
-        (Some(start), Some(min), _) if start < min => refuse("start", start, "at least min, ", min, None),
-        (Some(start), _, Some(max)) if start > max => refuse("start", start, "at most max, ", max, None),
+        (Some(start), Some(min), _) if start < min => refuse("start", start, "at least min, ", min, same_direction(kind, start, limits)),
+        (Some(start), _, Some(max)) if start > max => refuse("start", start, "at most max, ", max, same_direction(kind, start, limits)),
         _ => true,
     }
 }

@@ -105,6 +105,18 @@ pub(super) const UNREADABLE: &[Bad] = &[
         &["it is 11.11 m/s; it must be above min, 11.11 m/s", "give its value, and leave it out of [unknown]"],
     ),
     question(
+        "a start a turn away",
+        &[(FIRST, "{ start = \"40 km/h\" }\nvehicle.1.heading = { start = \"350 deg\", min = \"-20 deg\", max = \"20 deg\" }")],
+        27,
+        &["unknown.vehicle.1.heading.start: it is 350.0 deg; it must be at most max, 20.0 deg", "the same direction is -10 deg"],
+    ),
+    question(
+        "limits on both sides of zero degrees",
+        &[(FIRST, "{ start = \"40 km/h\" }\nvehicle.1.heading = { min = \"350 deg\", max = \"10 deg\" }")],
+        27,
+        &["it is 10.0 deg; it must be above min, 350.0 deg", "for limits on both sides of 0 deg write `min` as -10 deg"],
+    ),
+    question(
         "a negative sd",
         &[("\"40 kJ ± 2 kJ\"", "{ value = \"40 kJ\", sd = \"-2 kJ\" }")],
         22,

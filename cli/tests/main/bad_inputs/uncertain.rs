@@ -58,6 +58,16 @@ pub(super) const BAD: &[Bad] = &[
         &["contact.restitution.closing_speed: a curve needs at least two points; it has 1", "restitution = 0.2"],
     ),
     restitution(
+        "a curve in two units",
+        &[(E, "restitution = { closing_speed = [\"5 mph\", 15, \"30 mph\"], restitution = [0.3, 0.2, 0.1] }")],
+        &["closing_speed.3: the closing speed is not above the one before it", "a closing speed without one is in m/s"],
+    ),
+    restitution(
+        "a curve from the fastest to the slowest",
+        &[(E, "restitution = { closing_speed = [0, \"30 mph\", \"5 mph\"], restitution = [0.1, 0.2, 0.3] }")],
+        &["closing_speed.3: the closing speed is not above the one before it", "in the order of their closing speeds"],
+    ),
+    restitution(
         "a curve with a restitution above 1",
         &[(E, "restitution = { closing_speed = [\"5 m/s\", \"9 m/s\"], restitution = [1.3, 0.1] }")],
         &["contact.restitution.restitution.1: it is 1.3; it must be from 0 to 1"],
@@ -149,6 +159,11 @@ pub(super) const BAD: &[Bad] = &[
         "a value outside its limits",
         &[(MASS, "mass = { value = 800, sd = 50, min = 900, max = 1100 }")],
         &["vehicle.1.mass.value", "it must be from `min`"],
+    ),
+    mass(
+        "limits in the unit of the file",
+        &[(MASS, "mass = { min = \"2000 lb\", mode = \"2500 lb\", max = \"2400 lb\" }")],
+        &["vehicle.1.mass.mode: it is 2500 lb; it must be from `min`, 2000 lb, to `max`, 2400 lb"],
     ),
     mass("a factor of one", &[(MASS, "mass = { median = 1000, factor = 1 }")], &["vehicle.1.mass.factor", "it must be above 1"]),
     mass("a factor below one", &[(MASS, "mass = { median = 1000, factor = 0.9 }")], &["vehicle.1.mass.factor", "it must be above 1"]),

@@ -72,6 +72,7 @@ fn bad_samples_are_refused_at_their_lines() {
         ("[ms]", "[m]", "time: [m]: `m` is a length; a duration is expected"),
         ("time", "t", "time: no column has this name"),
         ("time [ms],normal", "time [ms];normal", "the columns are separated by semicolons or tabs"),
+        ("time [ms],normal", "sep=,\ntime [ms],normal", "the first line must name the columns, and is `sep=`"),
         ("normal_force", "force", "no column has the name of a channel"),
         ("time [ms],normal_force [kN]", "time [ms],time [ms]", "time: 2 columns have this name"),
         ("-1,0\n0,0\n1,5\n2,0\n", "", "the column has 1 of at least two samples"),
