@@ -51,6 +51,7 @@ pub mod diagnosis;
 mod ensemble;
 mod fold;
 mod given;
+mod growing;
 mod guaranteed;
 mod interval;
 mod issue;

@@ -48,8 +48,8 @@ pub struct Options {
 #[derive(Clone, Debug)]
 pub struct Plan {
     inputs: Vec<InputColumn>,
-    /// The columns that pass through with the name of an input in another form, and those inputs.
-    unread: Vec<(String, Vec<Key>)>,
+    /// The columns that pass through with the name of an input in another form, and the headers of those inputs.
+    unread: Vec<(String, Vec<String>)>,
     outputs: Vec<CaseOutput>,
     wrt: Vec<Parameter>,
     is_checked: bool,
@@ -75,7 +75,7 @@ impl Plan {
     pub fn of(headers: &[Header], base: Option<&Case>, options: &Options) -> Result<Plan, Issues> {
         base.map_or(Ok(()), Case::needs_contact)?;
         let mut issues = Vec::new();
-        let (mut inputs, mut unread): (Vec<InputColumn>, Vec<(String, Vec<Key>)>) = (Vec::new(), Vec::new());
+        let (mut inputs, mut unread): (Vec<InputColumn>, Vec<(String, Vec<String>)>) = (Vec::new(), Vec::new());
         for (place, header) in headers.iter().enumerate() {
             match InputColumn::of(place, header) {
                 Ok(Some(column)) => match inputs.iter().find(|other| other.key == column.key) {
@@ -83,7 +83,7 @@ impl Plan {
                     None => inputs.push(column),
                 },
                 Ok(None) => {
-                    let meant = column::meant_by(&header.name);
+                    let meant = column::meant_by(header);
                     if !meant.is_empty() || column::is_of_evidence(&header.name) {
                         unread.push((header.name.clone(), meant));
                     }
@@ -161,7 +161,6 @@ impl Plan {
         let is_given = |parameter: Parameter| self.inputs.iter().any(|column| column.key.replaces(parameter));
         let uncertain = base.into_iter().flat_map(|case| &case.uncertain.inputs).map(|input| input.parameter);
         let unread = self.unread.iter().map(|(name, meant)| {
-            let meant: Vec<String> = meant.iter().map(Key::to_string).collect();
             let as_input = match meant.is_empty() {
                 true => "a table has inputs of the collision alone, which begin with `vehicle.` or `contact.`".to_owned(),
                 false => format!("as an input it is named {}", meant.join(" or ")),
@@ -187,17 +186,26 @@ impl Plan {
             );
             Notice::warning("motion-across-lost", speed.to_string(), message)
         });
-        // A few degrees are as plausible in radians.
-        let is_angle = |column: &&InputColumn| column.assumed_unit() == Some(Kind::ANGLE.si);
-        let angles: Vec<String> = self.inputs.iter().filter(is_angle).map(|column| column.key.to_string()).collect();
-        let assumed = angles.first().map(|first| {
-            let message = format!(
-                "read in {} for want of a unit: {}; write [deg] behind the name of one in degrees",
-                Kind::ANGLE.si,
-                angles.join(", ")
-            );
-            Notice::note("unit-assumed", first.clone(), message)
-        });
+        // A few degrees are as plausible in radians. Where others have a unit, one without may have been forgotten.
+        let some_have = self.inputs.iter().any(InputColumn::has_unit);
+        let assumed: Vec<(&InputColumn, &str)> = self.inputs.iter().filter_map(|column| Some((column, column.assumed_unit()?))).collect();
+        let angles: Vec<String> =
+            assumed.iter().filter(|(_, unit)| *unit == Kind::ANGLE.si).map(|(column, _)| column.key.to_string()).collect();
+        let assumed = match &assumed[..] {
+            [(first, _), ..] if some_have => {
+                let all: Vec<String> = assumed.iter().map(|(column, unit)| format!("{} [{unit}]", column.key)).collect();
+                let message = format!("read in SI for want of a unit: {}; write the unit of each behind its name", all.join(", "));
+                Some(Notice::note("unit-assumed", first.key.to_string(), message))
+            }
+            _ => angles.first().map(|first| {
+                let message = format!(
+                    "read in {} for want of a unit: {}; write [deg] behind the name of one in degrees",
+                    Kind::ANGLE.si,
+                    angles.join(", ")
+                );
+                Notice::note("unit-assumed", first.clone(), message)
+            }),
+        };
         // Rows may give a number of their own.
         let ratio = Parameter::Input(Input::ImpulseRatio);
         let follows = base.filter(|_| self.wrt.contains(&ratio) && !is_given(ratio)).and_then(ratio_note);

@@ -2,6 +2,7 @@
 
 mod about_solution;
 mod answer;
+mod by_friction;
 mod crush_bend;
 mod dependences;
 pub mod diagnostics;
@@ -16,6 +17,7 @@ mod inputs;
 mod levels;
 mod posterior;
 mod question;
+mod slides;
 mod slips;
 mod solve_error;
 mod solved;
@@ -170,12 +172,17 @@ fn by_separations(
             notices.0.extend(solved.warnings(&impact));
         }
     }
+    notices.0.extend(slides::bends(case, separations));
     notices.0.extend(without_slope(&question, answer.best()));
     if matches!(answer.verdict, Verdict::Contradicted | Verdict::BoundsExclude) {
         notices.0.extend(by_momentum(&question));
     }
     if answer.verdict == Verdict::Contradicted {
-        notices.0.extend(slips::of(case, separations, &question, answer.best(), &|| control.goes_on(0, 1)));
+        let by_slides = slides::of_contradiction(&question, separations, answer.best());
+        if by_slides.is_empty() {
+            notices.0.extend(slips::of(case, separations, &question, answer.best(), &|| control.goes_on(0, 1)));
+        }
+        notices.0.extend(by_slides);
     }
     let of: Vec<Measurand> =
         question.asked.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).chain(question.asked.derived()).collect();
@@ -189,7 +196,7 @@ fn by_separations(
     let guaranteed =
         if options.guaranteed { guaranteed::ranges(&question, options.bounds_sd, control, &mut notices.0)? } else { Vec::new() };
     let drawn = if options.draws_from_posterior() {
-        notices.0.extend(from_rest::of_posterior(&question, separations));
+        notices.0.extend(by_friction::of_posterior(&question, separations));
         let sampling = Sampling { seed: options.seed, ..Sampling::for_level(options.level) };
         let asked = posterior::Asked { sampling, statements: &statements, level: options.level, has_values: options.draws };
         Some(Drawn::of(&question, &answer, &of, &asked, control, &mut notices.0)?)

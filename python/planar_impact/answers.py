@@ -1363,7 +1363,7 @@ class MonteCarlo(Facts[Any]):
     quantiles: Facts[float | None]
     """Quantiles by their probabilities."""
     quantiles_se: Facts[float | None]
-    """Their standard errors."""
+    """Their standard errors; ``null`` where less than one sample is expected beyond a quantile."""
     sd: float | None
     """The standard deviation."""
     sd_se: float | None

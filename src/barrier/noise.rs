@@ -44,16 +44,9 @@ impl<T: Ordered<Mask = bool>> Noise<T> {
     /// Computes the variance of the normal distribution whose 95 % are those of a weighted sum of samples whose noise is not known better than from these:
     /// Student's distribution with ν = n/(2K + 1) − 1 degrees of freedom. The noise of a long sum is a spectral density at frequency zero, and its estimate from
     /// covariances up to K steps apart has n/(2K + 1) of them (Priestley 1981, chapter 6), of which the mean takes one.
-    ///
-    /// The square of the ratio of the two quantiles is (ν² + 0.764 ν + 1.265)/(ν² − 1.6567 ν + 0.7288) from ν = 1 on, to 0.5 %; for large ν it is 1 + (1.96² + 1)/(2 ν).
     pub fn wide_variance_of_sum(&self, weights: &[T]) -> T {
-        let ten_thousandths = |numerator: i32| T::int(numerator) / T::int(10_000);
         let freedom = whole::<T>(self.samples) / whole::<T>(2 * self.covariances.len() - 1) - T::int(1);
-        let freedom = T::select(freedom.less(&T::int(1)), T::int(1), freedom);
-        let squared = freedom.clone().squared();
-        let numerator = squared.clone() + ten_thousandths(7640) * freedom.clone() + ten_thousandths(12_650);
-        let denominator = squared - ten_thousandths(16_567) * freedom + ten_thousandths(7288);
-        self.variance_of_sum(weights) * numerator / denominator
+        self.variance_of_sum(weights) * student(freedom)
     }
 
     /// Computes the number of independent samples whose mean would be as uncertain, n γ_0/(γ_0 + 2 Σ γ_k).
@@ -62,6 +55,18 @@ impl<T: Ordered<Mask = bool>> Noise<T> {
         let sum = both_ways(&self.covariances);
         if T::int(0).less(&sum) { count * self.covariances[0].clone() / sum } else { count }
     }
+}
+
+/// Returns the variance of the normal distribution of which 95 % are those of Student's distribution, over that of the same samples.
+///
+/// The square of the ratio of the two quantiles is (ν² + 0.764 ν + 1.265)/(ν² − 1.6567 ν + 0.7288) from ν = 1 degree of freedom on, to 0.5 %; for large ν it is
+/// 1 + (1.96² + 1)/(2 ν).
+pub(super) fn student<T: Ordered>(freedom: T) -> T {
+    let ten_thousandths = |numerator: i32| T::int(numerator) / T::int(10_000);
+    let freedom = T::select(freedom.less(&T::int(1)), T::int(1), freedom);
+    let squared = freedom.clone().squared();
+    let numerator = squared.clone() + ten_thousandths(7640) * freedom.clone() + ten_thousandths(12_650);
+    numerator / (squared - ten_thousandths(16_567) * freedom + ten_thousandths(7288))
 }
 
 /// Adds the terms of samples that are none, one, two, … steps apart, in both directions.

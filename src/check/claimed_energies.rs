@@ -2,6 +2,7 @@
 
 use super::claimed_impulse;
 use super::claims::norm;
+use super::energy_loss::EnergyLoss;
 use super::format::Digits;
 use super::judge::{ENERGY, Judge, Residual, SPEED};
 use super::key::Key;
@@ -74,9 +75,15 @@ fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
             format!("the work of the normal impulse {words} {work} J, and at a restitution of 1 it is zero; {bound} may be")
         });
     }
-    let impulse = known.number(Key::NormalImpulse).or_else(|| Some(known.contact_impulse?.n));
-    let closing = known.closing_speed();
-    let parting = known.separation_speed().or_else(|| Some(known.number(Key::Restitution)? * closing?));
+    let impulse =
+        known.number(Key::NormalImpulse).or_else(|| Some(known.contact_impulse?.n)).or_else(|| claimed_impulse::normal(known, judge));
+    let restitution = known.number(Key::Restitution);
+    let of_parting = || {
+        judge.sign(Rule::Restitution, &Residual::new(restitution?, 1.0))?;
+        Some(known.separation_speed()? / restitution?)
+    };
+    let closing = known.closing_speed().or_else(of_parting);
+    let parting = known.separation_speed().or_else(|| Some(restitution? * closing?));
     let (Some(closing), Some(parting)) = (closing, parting) else { return };
     let Some(impulse) = impulse else {
         let Some(whole) = claimed_impulse::magnitude(known) else { return };
@@ -124,6 +131,7 @@ fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     work_of_no_moment(known, judge);
     least_energies(known, judge);
     fall_of_the_energy(known, judge);
+    most_loss(known, judge);
 }
 
 /// Checks that two energies that are claimed are the same.
@@ -187,6 +195,17 @@ fn fall_of_the_energy<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
         }
         _ => (),
     }
+}
+
+/// Checks that no more is lost than the motions before have beside that of the center of mass of the pair, which keeps its velocity. All motions tell the loss itself.
+fn most_loss<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let fall = || Some(known.number(Key::EnergyBefore)? - known.number(Key::EnergyAfter)?);
+    let most = EnergyLoss::most(&known.one, &known.two).filter(|_| !known.wall_moves() && known.loss().is_none());
+    let (Some(loss), Some(most)) = (claimed_loss(known).or_else(fall), most) else { return };
+    judge.not_above(Rule::Reported, Residual::new(loss - most, available(known).max(loss.size)), |size, bound| {
+        let (loss, most, size, bound) = (Digits(loss.value), Digits(most.value), Digits(size), Digits(bound));
+        format!("{loss} J are said to be lost, and the motions before the impact, beside that of the center of mass of the pair, have {most} J: {size} more, {bound} may be")
+    });
 }
 
 /// Returns the mass of a body or, of a change of velocity that is no small part of the other's, the mass that has it by the impulse.

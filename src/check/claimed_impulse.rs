@@ -17,6 +17,9 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
+/// Least sine of the angle of lines that determine an impulse: at a smaller one errors grow.
+const CLEAR: f64 = 0.1;
+
 /// What a line is of.
 #[derive(Clone, Copy)]
 enum Of {
@@ -74,14 +77,20 @@ struct Length<const N: usize> {
     scale: f64,
 }
 
-/// Returns the impulse on body 1 in ground axes, if two lines determine it that are not nearly parallel.
+/// Returns the impulse on body 1 in ground axes, if two lines determine it that are not nearly parallel, or a direction and a magnitude.
 pub(super) fn determined<const N: usize>(known: &Known<'_, N>, judge: &Judge) -> Option<Xy<Uncertain<N>>> {
-    /// Least sine of their angle: at a smaller one errors grow.
-    const CLEAR: f64 = 0.1;
     // Without a contact normal, those in contact axes determine no vector on the ground.
-    let crossing = groups(known).last()?.crossing(judge).filter(|crossing| crossing.sine > CLEAR)?;
-    let Xy { x, y } = crossing.impulse;
-    Some(known.plane.as_ref().map_or(crossing.impulse, |plane| plane.to_ground(Nt { n: x, t: y })))
+    let groups = groups(known);
+    let lines = groups.last()?;
+    let crossing = lines.crossing(judge).filter(|crossing| crossing.sine > CLEAR).map(|crossing| crossing.impulse);
+    let Xy { x, y } = crossing.or_else(|| lines.by_magnitude(judge))?;
+    Some(known.plane.as_ref().map_or(Xy { x, y }, |plane| plane.to_ground(Nt { n: x, t: y })))
+}
+
+/// Returns the normal component of the impulse on body 1, if two lines in contact axes determine it that are not nearly parallel.
+pub(super) fn normal<const N: usize>(known: &Known<'_, N>, judge: &Judge) -> Option<Uncertain<N>> {
+    let crossing = groups(known).first()?.crossing(judge).filter(|crossing| crossing.sine > CLEAR)?;
+    Some(crossing.impulse.x)
 }
 
 /// Returns the lines in contact axes or, without a contact normal, those in contact axes and those on the ground.
@@ -204,6 +213,26 @@ impl<const N: usize> Lines<'_, '_, N> {
         let radius = |crossing: &Crossing<N>| crossing.impulse.x.radius() + crossing.impulse.y.radius();
         let usable = pairs.filter_map(of_pair).filter(|crossing| radius(crossing).is_finite() && crossing.scale.is_finite());
         usable.min_by(|one, other| radius(one).total_cmp(&radius(other)).then(other.sine.total_cmp(&one.sine)))
+    }
+
+    /// Returns the impulse of the reported magnitude along a direction of force or, toward the side on which the bodies approach each other, at a ratio.
+    fn by_magnitude(&self, judge: &Judge) -> Option<Xy<Uncertain<N>>> {
+        let magnitude = magnitude(self.known)?;
+        let pushes = || {
+            let approach = self.known.before?.velocity;
+            judge.sign(Rule::Reported, &Residual::new(approach.n, super::normal::length(&approach)))
+        };
+        let along = |line: &Line<N>| match line.of {
+            Of::Force(_) => line.toward,
+            Of::Ratio(_) => {
+                let sign = pushes()?;
+                let (Xy { x, y }, unit) = (line.normal, norm(line.normal));
+                Some(Xy { x: y.scaled(sign) / unit, y: -x.scaled(sign) / unit })
+            }
+            _ => None,
+        };
+        let along = self.all.iter().find_map(along)?;
+        Some(along.map(|part| part * magnitude))
     }
 
     /// Returns the names of the lines that cross.

@@ -35,26 +35,31 @@ impl<const N: usize> EnergyLoss<N> {
             available,
             translation_only: !spin,
         };
-        let fixed = [one, two].into_iter().find(|subject| subject.fixed);
-        if let Some(wall) = fixed {
-            let seen = energy(When::Before, wall.before?)?;
-            let falls = seen - energy(When::After, wall.before?)?;
-            return Some(made(falls, falls, seen.value));
-        }
-        let (m1, m2) = (one.mass?, two.mass?);
-        let reduced = m1 * m2 / (m1 + m2);
-        // König's theorem: the relative motion, and the spins.
-        let internal = |when| {
-            let past = two.velocity(when)? - one.velocity(when)?;
-            let spins = if spin { one.spin_energy(when)? + two.spin_energy(when)? } else { Uncertain::exact(0.0) };
-            Some(reduced * past.length_squared().half() + spins)
-        };
-        let internal_before: Uncertain<N> = internal(When::Before)?;
-        Some(made(before - after, internal_before - internal(When::After)?, internal_before.value))
+        let internal = |when| internal(one, two, when, spin);
+        let of_pair = internal(When::Before)?;
+        let falls = of_pair - internal(When::After)?;
+        let on_ground = if one.fixed || two.fixed { falls } else { before - after };
+        Some(made(on_ground, falls, of_pair.value))
+    }
+
+    /// Returns the most that can be lost: the kinetic energy before, with the spins, for an observer who moves with the center of mass of the pair or with the fixed body.
+    pub(super) fn most(one: &Subject<N>, two: &Subject<N>) -> Option<Uncertain<N>> {
+        internal(one, two, When::Before, true)
     }
 
     /// Returns the more precise of the two losses.
     pub(super) fn sharpest(&self) -> Uncertain<N> {
         sharper(self.of_pair, self.on_ground, Uncertain::radius)
     }
+}
+
+/// Returns the kinetic energy for an observer who moves with the center of mass of the pair or with the fixed body: by König's theorem that of the relative motion, and the spins.
+fn internal<const N: usize>(one: &Subject<N>, two: &Subject<N>, when: When, spin: bool) -> Option<Uncertain<N>> {
+    if let Some(wall) = [one, two].into_iter().find(|subject| subject.fixed) {
+        return Some(one.kinetic_energy(when, wall.before?, spin)? + two.kinetic_energy(when, wall.before?, spin)?);
+    }
+    let (m1, m2) = (one.mass?, two.mass?);
+    let past = two.velocity(when)? - one.velocity(when)?;
+    let spins = if spin { one.spin_energy(when)? + two.spin_energy(when)? } else { Uncertain::exact(0.0) };
+    Some(m1 * m2 / (m1 + m2) * past.length_squared().half() + spins)
 }

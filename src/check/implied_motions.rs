@@ -25,7 +25,7 @@ enum Source {
 }
 
 impl Source {
-    const ALL: [Source; 3] = [Source::OneBody, Source::Claims, Source::Model];
+    const ALL: [Source; 3] = [Source::OneBody, Source::Model, Source::Claims];
 
     fn words(self) -> &'static str {
         match self {
@@ -72,8 +72,9 @@ fn hold<const N: usize>(source: Source, implied: &Known<'_, N>, impulse: Xy<Unce
     }
     claims::check(implied, judge);
     claim_consistency::check(implied, judge);
+    // Those of the model agree with the spins that are given, or do not.
+    momentum::check(implied, judge);
     if source != Source::Model {
-        momentum::check(implied, judge);
         normal::check(implied, judge);
         tangent::check(implied, judge);
         work::check(implied, judge);

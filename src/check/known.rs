@@ -63,10 +63,9 @@ pub(super) struct Meeting<const N: usize> {
 impl<const N: usize> Meeting<N> {
     fn of(plane: &CrushPlane<Uncertain<N>>, subjects: [&Subject<N>; 2], when: When) -> Option<Self> {
         let bodies = [subjects[0].body(plane, when)?, subjects[1].body(plane, when)?];
-        let has_no_arm = |body: &Body<Uncertain<N>>| body.arm.n.is_zero() && body.arm.t.is_zero();
         Some(Meeting {
             velocity: relative_velocity(&bodies[0], &bodies[1]),
-            is_of_points: bodies.iter().all(has_no_arm) && !subjects.iter().any(|subject| subject.fixed),
+            is_of_points: subjects.iter().all(|subject| subject.has_no_arm() && !subject.fixed),
             bodies,
         })
     }

@@ -126,9 +126,13 @@ impl<const N: usize> Subject<N> {
         Some(self.delta_v()? * self.mass?)
     }
 
-    /// Returns its change of spin, I (Ω − ω); `None` for a fixed body, which has no inertia.
+    /// Returns its change of spin, I (Ω − ω), which needs no inertia where it never spins; `None` for a fixed body, which has no inertia.
     pub(super) fn spin_gained(&self) -> Option<Uncertain<N>> {
-        Some((self.yaw_after? - self.yaw_before?) * self.yaw_inertia?)
+        let (before, after) = (self.yaw_before?, self.yaw_after?);
+        if !self.fixed && before.is_zero() && after.is_zero() {
+            return Some(Uncertain::exact(0.0));
+        }
+        Some((after - before) * self.yaw_inertia?)
     }
 
     /// Returns `true` if its change of spin is known or it is fixed.
@@ -136,36 +140,46 @@ impl<const N: usize> Subject<N> {
         self.fixed || self.spin_gained().is_some()
     }
 
-    /// Returns the body in contact axes, without its inertia.
+    /// Returns the body in contact axes, without its inertia. One that does not spin has the same velocity everywhere, and may have no arm.
     pub(super) fn body(&self, plane: &CrushPlane<Uncertain<N>>, when: When) -> Option<Body<Uncertain<N>>> {
         let arm = match when {
-            When::Before => self.arm?,
-            When::After => self.arm_after?,
+            When::Before => self.arm,
+            When::After => self.arm_after,
         };
-        Some(Body {
-            arm: plane.to_contact(arm),
-            velocity: plane.to_contact(self.velocity(when)?),
-            yaw_rate: self.yaw_rate(when)?,
-            ..Body::fixed()
-        })
+        let yaw_rate = self.yaw_rate(when)?;
+        let arm = arm.or_else(|| yaw_rate.is_zero().then(Xy::zero))?;
+        Some(Body { arm: plane.to_contact(arm), velocity: plane.to_contact(self.velocity(when)?), yaw_rate, ..Body::fixed() })
     }
 
-    /// Returns the same body with its inertia.
+    /// Returns `true` if it touches the other body at its center of mass.
+    pub(super) fn has_no_arm(&self) -> bool {
+        self.arm.is_some_and(|arm| arm.x.is_zero() && arm.y.is_zero())
+    }
+
+    /// Returns the same body with its inertia, if it has an arm.
     pub(super) fn with_inertia(&self, body: Body<Uncertain<N>>) -> Option<Body<Uncertain<N>>> {
         if self.fixed {
             return Some(body);
         }
+        self.arm?;
         Some(Body { inverse_mass: self.mass?.inv(), inverse_yaw_inertia: self.yaw_inertia?.inv(), ..body })
     }
 
-    /// Returns its inverse mass and inverse yaw inertia, without resolutions.
+    /// Returns its inverse mass and inverse yaw inertia, without resolutions, if it has an arm.
     pub(super) fn yields(&self) -> Option<(f64, f64)> {
-        if self.fixed { Some((0.0, 0.0)) } else { Some((1.0 / self.mass?.value, 1.0 / self.yaw_inertia?.value)) }
+        if self.fixed {
+            return Some((0.0, 0.0));
+        }
+        self.arm?;
+        Some((1.0 / self.mass?.value, 1.0 / self.yaw_inertia?.value))
     }
 
     /// Returns the kinetic energy of its spin, zero for a fixed body.
     pub(super) fn spin_energy(&self, when: When) -> Option<Uncertain<N>> {
-        if self.fixed { Some(Uncertain::exact(0.0)) } else { Some(self.yaw_inertia? * self.yaw_rate(when)?.squared().half()) }
+        match self.yaw_rate(when) {
+            Some(rate) if self.fixed || rate.is_zero() => Some(Uncertain::exact(0.0)),
+            rate => Some(self.yaw_inertia? * rate?.squared().half()),
+        }
     }
 
     /// Returns its kinetic energy for a moving observer, with its spin or of its translation alone; zero for a fixed body.
@@ -174,14 +188,14 @@ impl<const N: usize> Subject<N> {
         if self.fixed {
             return Some(none);
         }
-        let (yaw_inertia, yaw_rate) = if spin { (self.yaw_inertia?, self.yaw_rate(when)?) } else { (none, none) };
         let vehicle = Vehicle {
             mass: self.mass?,
-            yaw_inertia,
+            yaw_inertia: none,
             heading: Heading { cos: Uncertain::exact(1.0), sin: none },
             impact_center: ForwardLeft::zero(),
             motion: Motion::rest(),
         };
-        Some(vehicle.kinetic_energy(Motion { velocity: self.velocity(when)? - observer, yaw_rate }))
+        let of_translation = vehicle.kinetic_energy(Motion { velocity: self.velocity(when)? - observer, yaw_rate: none });
+        Some(if spin { of_translation + self.spin_energy(when)? } else { of_translation })
     }
 }

@@ -1,5 +1,6 @@
 //! Rules along the tangent: `impulse-ratio`, `beyond-critical`.
 
+use super::claimed_energies::{available, claimed_loss, claimed_moment_work};
 use super::format::Digits;
 use super::judge::{ENERGY, IMPULSE, Judge, Residual};
 use super::key::Key;
@@ -208,6 +209,16 @@ fn impulse_of<const N: usize>(known: &Known<'_, N>) -> Option<Nt<Uncertain<N>>> 
     known.contact_impulse.or_else(claimed)
 }
 
+/// Returns the ratio that is reported, or that of the impulse.
+fn reported_ratio<const N: usize>(known: &Known<'_, N>, judge: &Judge) -> Option<Uncertain<N>> {
+    let of_impulse = || {
+        let Nt { n, t } = impulse_of(known)?;
+        judge.sign(Rule::ImpulseRatio, &Residual::new(n, n.value.abs().max(t.value.abs())))?;
+        Some(t / n)
+    };
+    known.number(Key::ReportedRatio).or_else(of_impulse)
+}
+
 /// Checks that without an impulse ratio there is no tangential impulse, and no work of one. With a normal impulse that is known they are compared themselves.
 fn no_tangential_impulse<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let of_key = [
@@ -215,7 +226,9 @@ fn no_tangential_impulse<const N: usize>(known: &Known<'_, N>, judge: &mut Judge
         (Key::TangentialWork, "work of the tangential impulse", "J", ENERGY, known.beside.energy),
     ];
     for (key, what, unit, rounded, beside) in of_key {
-        let Some(claimed) = known.number(key) else { continue };
+        let rest = || Some(-(claimed_loss(known)? + known.number(Key::NormalWork)? + claimed_moment_work(known)?));
+        let Some(claimed) = known.number(key).or_else(|| if key == Key::TangentialWork { rest() } else { None }) else { continue };
+        let beside = beside.max(if key == Key::TangentialWork { available(known) } else { 0.0 });
         judge.zero(Rule::ImpulseRatio, Residual::new(claimed, claimed.value.abs().max(beside)).beside(rounded), |size, bound| {
             let (size, bound) = (Digits(size), Digits(bound));
             format!("the impulse ratio is said to be 0, and the {what} along t to be {size} {unit}, {bound} may be")
@@ -265,7 +278,7 @@ fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
             });
         }
     }
-    let both = known.number(Key::ReportedRatio).zip(known.number(Key::CriticalRatio));
+    let both = reported_ratio(known, judge).zip(known.number(Key::CriticalRatio));
     if let (Some((ratio, critical)), None) = (both, of_model)
         && critical_ratio.is_some()
     {
@@ -275,7 +288,8 @@ fn claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
         });
     }
     // With a moment the impulse may wedge, and the ratio has no bound.
-    if let (Some(ratio), Some(critical), true) = (given, known.number(Key::CriticalRatio), is_critical && known.moment.is_none()) {
+    let ratio = given.or_else(|| reported_ratio(known, judge));
+    if let (Some(ratio), Some(critical), true) = (ratio, known.number(Key::CriticalRatio), is_critical && known.moment.is_none()) {
         beyond_claim(ratio, critical, judge);
     }
 }
@@ -327,7 +341,7 @@ fn share_of_claims<const N: usize>(known: &Known<'_, N>, share: Uncertain<N>, ju
             format!("the share of the critical impulse ratio is said to be {}, which is {words}", Digits(share.value))
         });
     }
-    let ratios = known.number(Key::ReportedRatio).zip(known.number(Key::CriticalRatio));
+    let ratios = reported_ratio(known, judge).zip(known.number(Key::CriticalRatio));
     let Some((ratio, critical)) = ratios.filter(|_| known.record.model.law == Law::Brach) else { return };
     let of_share = share * critical;
     judge.zero(Rule::ImpulseRatio, Residual::new(ratio - of_share, ratio.value.abs().max(1.0)), |size, bound| {

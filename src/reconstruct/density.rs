@@ -1,9 +1,10 @@
 //! The density of the posterior: that of the priors times the likelihood of the evidence, zero where the mechanics refuses the collision.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Normal};
 
-use super::given::{GrowingError, ReconstructionProblem, Uncertainty};
+use super::given::{ReconstructionProblem, Uncertainty};
+use super::growing::Growing;
 use super::measurand::Measurand;
 use super::residuals::Model;
 use crate::distribution::{Distribution, degrees_of_freedom, standard_error, student};
@@ -17,72 +18,6 @@ pub(super) struct Density<'a> {
     /// Priors of another shape than normal.
     shaped: Vec<Shaped>,
     growing: Option<Growing>,
-}
-
-/// An error with one cause that grows with the evidence.
-struct Growing {
-    /// Each part with the index of its residual.
-    parts: Vec<(usize, GrowingError)>,
-    /// The Cholesky factor of the covariance of everything else.
-    others: Cholesky<f64, Dyn>,
-}
-
-impl Growing {
-    /// Takes the error out of the covariance of the evidence. `None` if there is none, or it is not in the covariance.
-    fn of(model: &Model<'_>) -> Option<Self> {
-        let place = |part: &GrowingError| model.evidence.iter().position(|evidence| evidence.of == part.of);
-        let parts: Vec<(usize, GrowingError)> =
-            model.question.growing_error.iter().filter_map(|part| Some((place(part)?, *part))).collect();
-        let at_fit = vector(model.evidence.len(), parts.iter().map(|(row, part)| (*row, part.at_fit)));
-        let others = model.weights.scaled_covariance() - &at_fit * at_fit.transpose();
-        let others = (!parts.is_empty()).then(|| Cholesky::new(others))??;
-        Some(Growing { parts, others })
-    }
-
-    /// Returns minus two logarithms of the density of residuals, up to a constant, over all values of the cause (Laplace's approximation, exact where the computed values are
-    /// linear in it): at the most probable one χ², that of the cause, and the logarithm of the curvature there.
-    fn deviance(&self, residuals: &DVector<f64>) -> f64 {
-        /// Steps to the most probable cause; each is a Gauss–Newton step of a problem that is nearly linear.
-        const STEPS: usize = 4;
-        let mut cause = 0.0;
-        for _ in 0..STEPS {
-            let (left, error) = self.with_cause(residuals, cause);
-            let next = (error.norm_squared() * cause - error.dot(&left)) / (1.0 + error.norm_squared());
-            cause = next.max(self.least_cause());
-        }
-        let (left, error) = self.with_cause(residuals, cause);
-        left.norm_squared() + cause * cause + libm::log(1.0 + error.norm_squared())
-    }
-
-    /// Returns the least value of the cause, in standard deviations from what is given: it is above zero.
-    fn least_cause(&self) -> f64 {
-        /// Least share of what is given.
-        const LEAST: f64 = 0.05;
-        self.parts.iter().map(|(_, part)| (LEAST - 1.0) / part.relative_sd).fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// Returns the residuals with a value of the cause and their derivatives by it, as what else is uncertain weighs them.
-    fn with_cause(&self, residuals: &DVector<f64>, cause: f64) -> (DVector<f64>, DVector<f64>) {
-        let (mut left, mut error) = (residuals.clone(), DVector::zeros(residuals.len()));
-        for (row, part) in &self.parts {
-            let size = part.at_given - part.slope * residuals[*row];
-            let share = 1.0 + part.relative_sd * cause;
-            let grown = if part.power == 0.0 { libm::log(share) } else { (libm::pow(share, part.power) - 1.0) / part.power };
-            left[*row] += size / part.relative_sd * grown;
-            error[*row] = size * libm::pow(share, part.power - 1.0);
-        }
-        for rows in [&mut left, &mut error] {
-            self.others.l_dirty().solve_lower_triangular_mut(rows);
-        }
-        (left, error)
-    }
-}
-
-/// Returns a vector of zeros but for some entries.
-fn vector(length: usize, entries: impl Iterator<Item = (usize, f64)>) -> DVector<f64> {
-    let mut vector = DVector::zeros(length);
-    entries.for_each(|(row, entry)| vector[row] = entry);
-    vector
 }
 
 /// A prior whose shape is not normal.
@@ -181,7 +116,7 @@ mod tests {
     use crate::distribution::quantile::standard;
     use crate::input::Side;
     use crate::reconstruct::search::spans;
-    use crate::reconstruct::{Correlation, Variable};
+    use crate::reconstruct::{Correlation, GrowingError, Variable};
     use crate::{Collision, Party, Vehicle};
 
     /// By hand, of two numbers. Of a cause that is nearly exact: the covariance less the growing error that it has, and with that of the computed values. Of another one: the integral

@@ -154,6 +154,11 @@ impl Solution {
         self.probability >= CONTRADICTION
     }
 
+    /// Returns `true` if chance would explain residuals of this chi-square.
+    pub fn would_be_explained(&self, chi_square: f64) -> bool {
+        probability(chi_square, self.degrees_of_freedom) >= CONTRADICTION
+    }
+
     /// Returns the unknowns whose standard deviation exceeds their plausible range: the distance between their bounds or, if one is missing, twice the
     /// typical spread of such quantities. The evidence barely constrains them.
     pub fn hardly_determined(&self, question: &ReconstructionProblem) -> Vec<Variable> {

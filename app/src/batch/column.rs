@@ -308,33 +308,44 @@ fn known() -> impl Iterator<Item = Key> {
 
 /// Returns the inputs that a column which passes through may be meant as: its name is their symbol, or theirs without `vehicle.1` or `contact`, or with the vehicle
 /// in other words, as `veh1.mass` and `mass1`.
-pub(super) fn meant_by(name: &str) -> Vec<Key> {
-    // A unit in parentheses is no part of it.
-    let base = visible(name.split('(').next().unwrap_or_default());
-    let base = base.trim();
-    let with_unit = header::split(base).map(|(bare, unit)| named_like(bare).into_iter().filter(|key| key.has_unit(unit)).collect());
-    [named_like(base)].into_iter().chain(with_unit).find(|keys| !keys.is_empty()).unwrap_or_default()
+///
+/// Each is a header, with the unit that stands in the name or behind it.
+pub(super) fn meant_by(header: &Header) -> Vec<String> {
+    let name = visible(&header.name);
+    let split: Vec<(&str, &str)> = header::split(&name).collect();
+    let unit_of = |key: &Key| {
+        let given = header.unit.as_deref().into_iter().chain(split.iter().map(|(_, unit)| *unit));
+        given.map(str::trim).find(|unit| key.has_unit(unit)).map(str::to_owned)
+    };
+    // A unit in parentheses is no part of the name.
+    let base = name.split('(').next().unwrap_or_default().trim();
+    let with_unit = split.iter().map(|(bare, unit)| named_like(bare).into_iter().filter(|key| key.has_unit(unit)).collect());
+    let meant: Vec<Key> = [named_like(base)].into_iter().chain(with_unit).find(|keys| !keys.is_empty()).unwrap_or_default();
+    meant.iter().map(|key| unit_of(key).map_or_else(|| key.to_string(), |unit| format!("{key} [{unit}]"))).collect()
 }
 
 /// The same without a unit.
 fn named_like(base: &str) -> Vec<Key> {
     let lower = match base.to_ascii_lowercase().trim_start_matches("model.") {
-        "cor" => "restitution".to_owned(),
-        "gamma" => "crush_plane".to_owned(),
+        "cor" | "coefficient of restitution" | "restitution coefficient" => "restitution".to_owned(),
+        "friction coefficient" | "coefficient of friction" => "friction".to_owned(),
+        "gamma" | "normal_angle" => "crush_plane".to_owned(),
         lower => lower.replace(WEIGHT, "mass"),
     };
+    let lower = lower.trim_start_matches("input.");
     let within = ["vehicle.1.", "vehicle.2.", "contact."].map(|of| format!("{of}{lower}"));
     // Written with other signs between the words.
     let joined = |name: &str| {
         let letters: String = name.chars().filter(|c| c.is_alphanumeric()).collect();
         letters.replace("vehicles", "vehicle").replace("contacts", "contact")
     };
-    let own = joined(&lower);
+    let own = joined(lower);
     let of_symbol = [&in_letters(base), &own].into_iter().find_map(|symbol| Parameter::named(symbol)).map(Key::Parameter);
     let of_prefix = ["veh", "car", "v", "b"].into_iter().filter_map(|word| own.strip_prefix(word)).map(|rest| format!("vehicle{rest}"));
     let of_suffix = ["1", "2"].into_iter().filter_map(|side| Some(format!("vehicle{side}{}", own.strip_suffix(side)?)));
     let spelled: Vec<String> = of_prefix.chain(of_suffix).chain([own.clone()]).collect();
-    let is_meant = |key: &str| within.iter().any(|name| name == key) || spelled.contains(&joined(key));
+    let in_contact = joined(&within[2]);
+    let is_meant = |key: &str| within.iter().any(|name| name == key) || spelled.contains(&joined(key)) || joined(key) == in_contact;
     known().filter(|key| of_symbol == Some(*key) || is_meant(&key.to_string())).collect()
 }
 

@@ -638,7 +638,7 @@ fn a_column_that_may_be_meant_as_an_input_is_named() {
         said,
         [
             "e: the column `e` passes through unread; as an input it is named contact.restitution",
-            "Speed: the column `Speed` passes through unread; as an input it is named vehicle.1.speed or vehicle.2.speed",
+            "Speed: the column `Speed` passes through unread; as an input it is named vehicle.1.speed [mph] or vehicle.2.speed [mph]",
             "velocity.x: the column `velocity.x` passes through unread; as an input it is named vehicle.1.velocity.x or vehicle.2.velocity.x",
             "weight: the column `weight` passes through unread; as an input it is named vehicle.1.mass or vehicle.2.mass",
             "rest.friction: the column `rest.friction` passes through unread; a table has inputs of the collision alone, which begin with `vehicle.` or `contact.`",

@@ -160,7 +160,9 @@ impl CrushInputs {
             CrushKey::Width => "the case gives `stations` instead".to_owned(),
             CrushKey::Station(_) if matches!(self.profile.places, Places::Width(_)) => "the case gives `width` instead".to_owned(),
             CrushKey::Station(_) | CrushKey::Depth(_) => format!("the crush has {} depths", self.profile.depths.len()),
-            CrushKey::Form(_) if self.stiffness.len() == 1 => "the case gives the stiffness in another form".to_owned(),
+            CrushKey::Form(_) if self.stiffness.len() == 1 => {
+                "the case gives the stiffness in another form; name the numbers that it gives".to_owned()
+            }
             CrushKey::ZoneForm(zone, _) if (2..).contains(&self.stiffness.len()) && (1..=self.stiffness.len()).contains(&zone) => {
                 format!("the case gives the stiffness of zone {zone} in another form")
             }

@@ -229,7 +229,12 @@ fn column(name: &str, unit: &str, of_names: &mut Complaints, of_units: &mut Comp
     }
     let all = TEXTS.into_iter().chain(Key::ALL.into_iter().map(Key::name)).map(str::to_owned);
     let all: Vec<String> = all.chain(resolution_names().map(|of| format!("resolution.{of}"))).collect();
-    let meant = nearest(name, all.iter().map(String::as_str)).map_or(String::new(), |near| format!("; did you mean `{near}`?"));
+    let bare = name.split(['[', '(']).next().unwrap_or_default().trim_end();
+    let meant = match nearest(name, all.iter().map(String::as_str)) {
+        _ if bare != name && all.iter().any(|known| known == bare) => "; units stand in a line of their own, below the names".to_owned(),
+        Some(near) => format!("; did you mean `{near}`?"),
+        None => String::new(),
+    };
     of_names.push("", format!("unknown column {}{meant}", excerpt(name)));
     None
 }

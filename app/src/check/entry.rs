@@ -133,9 +133,16 @@ impl Entry {
         passes && Rule::ALL.iter().filter(|rule| is_law(rule)).all(|rule| self.not_checked.contains(&rule.name()))
     }
 
-    /// Returns the most severe finding.
+    /// Returns the finding that it gives too little for any law; none of the rules has it.
+    pub fn unchecked(&self) -> Option<Found> {
+        let what = || "it gives too little for any law; see --rules".to_owned();
+        self.is_unchecked().then(|| Found { rule: "unchecked", severity: Severity::Undecidable, size: None, bound: None, what: what() })
+    }
+
+    /// Returns the severity of its most severe finding; a record that gives too little for any law is not decided.
     pub fn worst(&self) -> Option<Severity> {
-        self.findings.iter().map(|found| found.severity).max()
+        let unchecked = self.unchecked();
+        self.findings.iter().chain(&unchecked).map(|found| found.severity).max()
     }
 
     /// Returns the name, or the line if there is no name.

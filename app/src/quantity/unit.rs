@@ -265,15 +265,41 @@ fn exponent(text: &str) -> Result<(i16, &str), QuantityError> {
     Ok((halves as i16, rest))
 }
 
+const BRACKETS: [char; 7] = ['[', ']', '(', ')', '{', '}', ' '];
+
+/// Other signs of division and multiplication.
+const SIGNS: [(&[char], char); 2] = [(&['\u{2215}', '\u{2044}', '\u{f7}'], '/'), (&['\u{d7}', '\u{2219}', '\u{2022}', '.'], '*')];
+
+/// Returns a unit with the ordinary signs of division and multiplication, and a sign before each exponent, as `m*s^-1` of `m.s-1`.
+fn in_ordinary_signs(unit: &str) -> Option<String> {
+    let mut meant = String::new();
+    let mut last = None::<char>;
+    for (at, c) in unit.char_indices() {
+        let ordinary = SIGNS.iter().find(|(signs, _)| signs.contains(&c)).map_or(c, |(_, ordinary)| *ordinary);
+        let is_exponent = c.is_ascii_digit() || (c == '-' && unit[at + 1..].starts_with(|next: char| next.is_ascii_digit()));
+        if is_exponent && last?.is_alphabetic() {
+            meant.push('^');
+        }
+        meant.push(ordinary);
+        last = Some(c);
+    }
+    Some(meant)
+}
+
 fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
     if name.is_empty() {
         return QuantityError::new(format!("the name of a unit is missing in {}", excerpt(unit)));
     }
     let message = format!("unknown unit {}", excerpt(name));
-    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    if let Some(named) = find(stem).filter(|_| stem != name) {
-        let meant = format!("did you mean `{}^{}`?", named.symbol(), &name[stem.len()..]);
-        return QuantityError::with_help(message, meant);
+    if unit.trim_start().starts_with(['[', '(', '{']) {
+        return QuantityError::with_help(message, format!("write it without brackets: `{}`", unit.trim_matches(BRACKETS)));
+    }
+    if let Some(meant) = in_ordinary_signs(unit).filter(|meant| meant != unit && Unit::parse(meant).is_ok()) {
+        return QuantityError::with_help(message, format!("did you mean `{meant}`?"));
+    }
+    // What has no letter is no name of a unit.
+    if !name.contains(char::is_alphabetic) {
+        return QuantityError::new(message);
     }
     let several = match name.to_lowercase().as_str() {
         "ton" | "tons" => Some("a ton is 2000 lb in America, 2240 lb in Britain and 1000 kg elsewhere: write `lb`, `kg` or `tonne`"),
@@ -304,9 +330,8 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
     if let Some(base) = name.strip_prefix('\u{221a}') {
         return QuantityError::with_help(message, format!("write `{base}^0.5`"));
     }
-    // Other signs of division and multiplication: without them the nearest name would be that of something else.
-    let signs: [(&[char], &str); 2] = [(&['\u{2215}', '\u{2044}', '\u{f7}'], "/"), (&['\u{d7}', '\u{2219}', '\u{2022}', '.'], "*")];
-    for (signs, ordinary) in signs {
+    // Without them the nearest name would be that of something else.
+    for (signs, ordinary) in SIGNS {
         if let Some(sign) = name.chars().find(|c| signs.contains(c)) {
             return QuantityError::with_help(message, format!("write `{ordinary}` for `{sign}`"));
         }
@@ -321,9 +346,6 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
         let unit = Unit(vec![(*named, 2)]);
         wanted.is_none_or(|wanted| unit.dimension() == wanted || unit.with_pound_force().dimension() == wanted)
     };
-    if !name.contains(char::is_alphabetic) {
-        return QuantityError::new(message);
-    }
     match nearest(name, NAMED.iter().filter(is_meant).flat_map(|named| named.names).copied()) {
         Some(known) => QuantityError::with_help(message, format!("did you mean `{known}`?")),
         None => QuantityError::new(message),
@@ -380,14 +402,19 @@ mod tests {
         assert!(message("Grad").starts_with("unknown unit `Grad` (it is a 400th of a turn"));
         assert_eq!(message("kgm^2"), "unknown unit `kgm` (did you mean `kg m`?)");
         assert_eq!(message("\u{221a}lbf/ft"), "unknown unit `\u{221a}lbf` (write `lbf^0.5`)");
-        assert_eq!(message("lbf.s^2*ft"), "unknown unit `lbf.s` (write `*` for `.`)");
+        assert_eq!(message("lbf.s^2*ft"), "unknown unit `lbf.s` (did you mean `lbf*s^2*ft`?)");
+        assert_eq!(message("m.s-1"), "unknown unit `m.s` (did you mean `m*s^-1`?)");
+        assert_eq!(message("kg m2"), "unknown unit `m2` (did you mean `kg m^2`?)");
+        assert_eq!(message("lbf.x"), "unknown unit `lbf.x` (write `*` for `.`)");
+        assert_eq!(message("3.6 m/s"), "unknown unit `3.6`");
+        assert_eq!(message("[m/s]"), "unknown unit `[m` (write it without brackets: `m/s`)");
         assert_eq!(message("ips"), "unknown unit `ips` (write `in/s`)");
         assert_eq!(message("Nms"), "unknown unit `Nms` (write `N m s`)");
         assert_eq!(message("m/ss"), "unknown unit `ss` (did you mean `s^2`?)");
         assert_eq!(message("lbfs^2/ft"), "unknown unit `lbfs` (did you mean `lbf s`?)");
         assert_eq!(message("m2"), "unknown unit `m2` (did you mean `m^2`?)");
-        assert_eq!(message("m\u{2215}s"), "unknown unit `m\u{2215}s` (write `/` for `\u{2215}`)");
-        assert_eq!(message("N\u{d7}m"), "unknown unit `N\u{d7}m` (write `*` for `\u{d7}`)");
+        assert_eq!(message("m\u{2215}s"), "unknown unit `m\u{2215}s` (did you mean `m/s`?)");
+        assert_eq!(message("N\u{d7}m"), "unknown unit `N\u{d7}m` (did you mean `N*m`?)");
         assert_eq!(message("furlong"), "unknown unit `furlong`");
         let meant = |text: &str, wanted: &str| Unit::parse_as(text, Some(dimension(wanted))).unwrap_err().to_string();
         assert_eq!(meant("kt", "m/s"), "unknown unit `kt` (did you mean `kn`?)");

@@ -1,11 +1,10 @@
 //! The search for the solution about which separations from rest positions are followed.
 
+use planar_impact::Side;
 use planar_impact::post_impact::Separation;
-use planar_impact::reconstruct::{
-    Answer, Dependence, Estimate, GrowingError, Measurand, ReconstructionProblem, Solution, SolveError, Unknown, Variable, Verdict,
-};
-use planar_impact::{Motion, Side, Xy};
+use planar_impact::reconstruct::{Answer, Dependence, Estimate, Measurand, ReconstructionProblem, Solution, SolveError, Unknown, Verdict};
 
+use super::by_friction::{are_alike, growing_errors, motions_by_friction, with_friction_at};
 use super::dependences::is_followed;
 use super::doubts::reconciled;
 use super::followed::Followed;
@@ -88,50 +87,6 @@ fn moved(case: &Case, inputs: &Inputs, separations: &Separations, asked: &Recons
     Some(there)
 }
 
-/// Returns how many times as far from the given motion that is with which an error by the friction grows: a way on locked wheels, which is compared as a way, grows as the square of
-/// its motion, which is twice as much to first order.
-fn times_of_way(asked: &ReconstructionProblem, side: Side) -> f64 {
-    if asked.separation_from_rest[side as usize] { 2.0 } else { 1.0 }
-}
-
-/// Returns the motions that the errors by the friction grow with: those of the fit.
-fn motions_by_friction(asked: &ReconstructionProblem, best: &Solution, separations: &Separations) -> [Motion; 2] {
-    let motion = |side: Side| {
-        let given = separations[side as usize].as_ref()?.motion.components();
-        let times = times_of_way(asked, side);
-        let off = outputs(side).map(|of| best.evidence.iter().find(|fitted| fitted.of == of).map_or(0.0, |fitted| fitted.residual));
-        let [x, y, yaw_rate] = std::array::from_fn(|i| given[i] - times * off[i]);
-        Some(Motion { velocity: Xy { x, y }, yaw_rate })
-    };
-    Side::ALL.map(|side| motion(side).unwrap_or(Motion::rest()))
-}
-
-/// Returns the errors by the friction as they grow with the motion, of separations and of the same with the errors that the evidence has. Empty where skid speeds depend on the
-/// same friction: those are first-order parts of priors.
-fn growing_errors(asked: &ReconstructionProblem, about: &Separations, weighed: &Separations, gyrations: [f64; 2]) -> Vec<GrowingError> {
-    let of_side = |side: Side| {
-        let place = side as usize;
-        let (about, weighed) = (about[place].as_ref()?, weighed[place].as_ref()?);
-        let (share, times) = (about.share_by_friction(gyrations[place]), times_of_way(asked, side));
-        // Speeds grow with the root of the friction.
-        let (slope, relative_sd, power) = (times * share, 2.0 * share, -0.5 * times);
-        let parts = about.by_friction.components().into_iter().zip(weighed.by_friction.components());
-        let error = move |(of, (at_given, at_fit))| GrowingError { of, at_fit, at_given, slope, relative_sd, power };
-        let is_in_question = |error: &GrowingError| asked.evidence.iter().any(|evidence| evidence.of == error.of);
-        (relative_sd > 0.0).then(|| outputs(side).into_iter().zip(parts).map(error).filter(is_in_question))
-    };
-    if shares_friction_with_skids(asked) {
-        return Vec::new();
-    }
-    Side::ALL.into_iter().filter_map(of_side).flatten().collect()
-}
-
-/// Returns `true` if skid speeds depend on the friction of the separations.
-fn shares_friction_with_skids(asked: &ReconstructionProblem) -> bool {
-    let is_skid = |of: Measurand| matches!(of, Measurand::Variable(Variable::SkidSpeed(_)));
-    asked.correlations.iter().any(|pair| is_skid(pair.one) || is_skid(pair.other))
-}
-
 /// Returns the separations with the fits of others.
 fn with_fits_of(separations: &Separations, others: &Separations) -> Separations {
     let mut all = separations.clone();
@@ -141,27 +96,6 @@ fn with_fits_of(separations: &Separations, others: &Separations) -> Separations 
         }
     }
     all
-}
-
-/// Returns the separations with the errors by the friction of motions.
-fn with_friction_at(separations: &Separations, motions: &[Motion; 2], gyrations: [f64; 2]) -> Separations {
-    let weighed = |side: Side| {
-        let place = side as usize;
-        separations[place].as_ref().map(|separation| separation.with_friction_at(&motions[place], gyrations[place]))
-    };
-    Side::ALL.map(weighed)
-}
-
-/// Returns `true` if errors by the friction of separations are alike.
-fn are_alike(one: &Separations, other: &Separations) -> bool {
-    let is_alike = |(one, other): (&Option<Separation>, &Option<Separation>)| {
-        one.as_ref().zip(other.as_ref()).is_none_or(|(one, other)| {
-            let sds = one.covariance.deviations();
-            let changes = one.by_friction.components().into_iter().zip(other.by_friction.components()).zip(sds);
-            changes.into_iter().all(|((one, other), sd)| (one - other).abs() <= NEAR * sd)
-        })
-    };
-    one.iter().zip(other).all(is_alike)
 }
 
 /// Returns `true` if a separation at a solution is that of the evidence there, with its covariance.

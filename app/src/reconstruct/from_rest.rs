@@ -6,7 +6,6 @@ use planar_impact::{Motion, Output, Side, Xy};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::question::Question;
 use crate::case::{Case, Known, vehicle_number};
 use crate::issue::{Issue, Issues};
 use crate::message::Message;
@@ -132,26 +131,10 @@ fn of_short_slide(side: Side, separation: &Separation, is_by_way: bool) -> Optio
             .figure(Measure::RoadSpeed, speed)
             .text(" is uncertain by ")
             .figure(Measure::RoadSpeed, sd)
-            .text(
-                ", of a way to rest that is hardly longer than its uncertainty: intervals may be too narrow, and evidence that agrees may seem to contradict itself; \
-                 measure the rest position better, or leave it out",
-            )
+            .text(if is_by_way { ", of a way to rest that is hardly longer than its uncertainty" } else { ", and is taken to first order" })
+            .text(": intervals may be too narrow, and evidence that agrees may seem to contradict itself; measure the rest position better, or leave it out")
     };
     (sd > if is_by_way { BY_WAY } else { STRAIGHT } * speed).then(|| Notice::warning("slide-short", key(side), message()))
-}
-
-/// Returns a warning of a posterior by a friction that is far from exact and that skid speeds depend on too: the errors that it causes grow with the motion, and draws have those of
-/// the fitted one.
-pub fn of_posterior(question: &Question, separations: &Separations) -> Option<Notice> {
-    /// Share of a separation speed, by the friction alone. Of 0.65 ± 0.05, which is just below it, the median lies 0.15 standard deviations below that of an exact friction.
-    const STRAIGHT: f64 = 0.04;
-    let is_wide = |separation: &&Separation| separation.by_friction.velocity.length() > STRAIGHT * separation.motion.velocity.length();
-    let is_doubtful = question.asked.growing_error.is_empty() && separations.iter().flatten().any(|separation| is_wide(&separation));
-    is_doubtful.then(|| {
-        let message = "the draws of the posterior have the errors by the friction that the fitted motion has, and those of a faster one are larger: speeds are drawn too low, \
-                       and the intervals hold; give the friction with a smaller uncertainty, or read the intervals";
-        Notice::warning("posterior-friction", "rest.friction", message)
-    })
 }
 
 /// Returns every combination of the separations that lead to the same rest positions, the one that fits best first, and a notice if they are too many.

@@ -49,19 +49,19 @@ pub(super) fn of_uniform(case: &Case, question: &Question, level: f64) -> Option
 /// Warns of quantities whose interval is far wider than their standard deviation says: it is that of the slope at the best fit, which a limit or a bend ends.
 pub(super) fn beyond_deviations(case: &Case, intervals: &[Interval]) -> Option<Notice> {
     /// Ratio of the two from which the standard deviation misleads.
-    const FAR: f64 = 2.0;
+    const FAR: f64 = 1.5;
     /// Share of a value that is rounding.
     const ROUNDING: f64 = 1e-9;
     let of_normal = |level: f64| Distribution::Normal { mean: 0.0, sd: 1.0 }.quantile(0.5 + 0.5 * level);
     let is_far = |interval: &&Interval| {
-        let half = 0.5 * (interval.high - interval.low);
+        let half = (interval.high - interval.value).max(interval.value - interval.low);
         let is_wide = half.is_finite() && half > ROUNDING * interval.value.abs();
         interval.sd.is_some_and(|sd| is_wide && half > FAR * of_normal(interval.level) * sd && sd > 0.0)
     };
     let of: Vec<String> = intervals.iter().filter(is_far).map(|interval| name_of(interval.of, case)).collect();
     let message = || {
         format!(
-            "the intervals are more than twice as wide as the standard deviations of {} say, which are those of slopes at the best fit: the intervals hold",
+            "the intervals of {} go more than one and a half times as far as their standard deviations say, which are those of slopes at the best fit: the intervals hold",
             of.join(", ")
         )
     };

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use planar_impact::reconstruct::{Evidence, Measurand, ReconstructionProblem, Search, Solution, Uncertainty, Variable};
 use planar_impact::{Input, Measure, Output, Party, Side};
 
-use super::from_rest::Separations;
+use super::from_rest::{Separations, outputs};
 use super::question::Question;
 use crate::case::{Case, Parameter, vehicle_number};
 use crate::message::Message;
@@ -119,9 +119,15 @@ impl Given<'_> {
             self.whole_turns(best, side, &mut all);
         }
         self.angle_in_degrees(Input::CrushPlane, &mut all);
-        speeds_in_miles(self.asked, &mut all);
-        yaw_rates(self.asked, &mut all);
+        let is_written = |of: Measurand| !self.is_from_rest(of);
+        speeds_in_miles(self.asked, is_written, &mut all);
+        yaw_rates(self.asked, is_written, &mut all);
         all
+    }
+
+    /// Returns `true` for a separation that was computed from a rest position: nobody wrote it.
+    fn is_from_rest(&self, of: Measurand) -> bool {
+        Side::ALL.into_iter().any(|side| self.separations[side as usize].is_some() && outputs(side).contains(&of))
     }
 
     /// The impact center on the other side of a vehicle, or of both.
@@ -188,8 +194,8 @@ impl Given<'_> {
 }
 
 /// A yaw rate the other way round, or in the other unit.
-fn yaw_rates(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
-    let is_rate = |(_, piece): &(usize, &Evidence)| matches!(piece.of, Measurand::Output(Output::YawRate(_)));
+fn yaw_rates(asked: &ReconstructionProblem, is_written: impl Fn(Measurand) -> bool, all: &mut Vec<Slip>) {
+    let is_rate = |(_, piece): &(usize, &Evidence)| matches!(piece.of, Measurand::Output(Output::YawRate(_))) && is_written(piece.of);
     for (at, evidence) in asked.evidence.iter().enumerate().filter(is_rate) {
         let factors =
             [(-1.0, ", the other way round,"), (PI / 180.0, ", degrees taken for radians,"), (180.0 / PI, ", radians taken for degrees,")];
@@ -247,8 +253,9 @@ fn known_speed(asked: &ReconstructionProblem, side: Side) -> Option<f64> {
 }
 
 /// Speeds in the other unit: each alone, those of one vehicle, and all, as one who mistakes the unit of a source mistakes it for all of its numbers.
-fn speeds_in_miles(asked: &ReconstructionProblem, all: &mut Vec<Slip>) {
-    let measured = asked.evidence.iter().enumerate().filter(|(_, piece)| piece.of.measure() == Measure::Speed);
+fn speeds_in_miles(asked: &ReconstructionProblem, is_written: impl Fn(Measurand) -> bool, all: &mut Vec<Slip>) {
+    let is_speed = |piece: &Evidence| piece.of.measure() == Measure::Speed && is_written(piece.of);
+    let measured = asked.evidence.iter().enumerate().filter(|(_, piece)| is_speed(piece));
     let mut speeds: Vec<(Scaled, Option<Side>, String, f64)> =
         measured.map(|(at, piece)| (Scaled::Evidence(at), piece.of.side(), piece.of.name().to_owned(), piece.value)).collect();
     let known =

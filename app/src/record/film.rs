@@ -73,12 +73,11 @@ impl Analysis<'_> {
         let lowess = Lowess { neighbors: settings.neighbors.unwrap_or(NEIGHBORS), robust_passes: 3 };
         // Uniform motion in whole steps leaves no scatter, however coarse they are.
         let step = channel.step();
-        let smooth = |record: &Record| lowess.smooth(record).map(|smoothed| smoothed.with_noise_of_at_least(step * step / 12.0));
         let times = record.times();
         let smooth_part = |part: Range<usize>| {
             let part = Record::at_times(times[part.clone()].to_vec(), record.values()[part].to_vec())?;
-            let smoothed = smooth(&part)?;
-            let changes = changes_of_slope(&part, lowess.neighbors, smoothed.noise());
+            let smoothed = lowess.smooth(&part)?;
+            let changes = changes_of_slope(&part, lowess.neighbors, smoothed.noise().max(step * step / 12.0));
             Ok((smoothed, changes))
         };
         let (first, last) = (times[0], times[times.len() - 1]);
@@ -99,9 +98,11 @@ impl Analysis<'_> {
         let left = times.partition_point(|time| *time <= separation + ROUNDING * (last - first)).max(1) - 1;
         let [before, after]: [Result<_, TestIssues>; 2] = [0..count, left..times.len()].map(smooth_part);
         let growth = growth_of_noise([&before, &after].into_iter().flatten().flat_map(|(_, changes)| changes.iter().copied()).collect());
+        // What the step explains is known, and needs no wider distribution.
+        let wide = |smoothed: Smoothed| smoothed.widened().with_noise_of_at_least(growth * step * step / 12.0);
         let grown = |(smoothed, _): (Smoothed, Vec<f64>)| {
             let noise = growth * smoothed.noise();
-            smoothed.with_noise_of_at_least(noise)
+            wide(smoothed.with_noise_of_at_least(noise))
         };
         let slope = before.map(grown).and_then(|before| before.at(times[count - 1])).map(|line| line.slope);
         let of_film = slope.ok().map(|slope| Estimate { value: -slope.value, ..slope });
@@ -125,7 +126,7 @@ impl Analysis<'_> {
             self.notices.push(Notice::warning("speed-contradicts-film", "speed", message));
         }
         let path = if settings.separation.is_some() { "separation" } else { channel.path.as_str() };
-        let smoothed = after.map(grown).or_else(|_| smooth(record));
+        let smoothed = after.map(grown).or_else(|_| lowess.smooth(record).map(wide));
         let restitution = match smoothed.and_then(|smoothed| restitution_from_smoothed(&smoothed, separation, closing)) {
             Err(issues) if issues.iter().all(|issue| issue.place().is_some_and(|at| at.name == "restitution")) => {
                 self.overflows(&channel.name);

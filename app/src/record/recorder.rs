@@ -147,10 +147,6 @@ impl Noise {
             libm::hypot(libm::hypot(step / 12.0_f64.sqrt(), self.relative * value), 2.0 * self.scatter.deviation.unwrap_or(0.0))
         })
     }
-
-    fn with(self, value: f64) -> Uncertain {
-        Uncertain { value: value + 0.0, sd: self.sd(value) }
-    }
 }
 
 /// A component of the velocity change: its channel, its values with the sign of the answer, and its noise.
@@ -190,7 +186,7 @@ impl<'a> Component<'a> {
     /// Returns where the velocity changes as fast as a sensor of some range can tell, to within the resolution of the record; `None` if that is nowhere, or if
     /// the record is too coarse to say.
     fn clipped_sensor(&self, range: f64) -> Option<ClippedSensor> {
-        let step = self.noise.step.unwrap_or(0.0);
+        let step = self.step();
         let is_at_range = |i: &usize| {
             let most = range * (self.times[i + 1] - self.times[*i]);
             most > 2.0 * step && (self.values[i + 1] - self.values[*i]).abs() >= most - step - ROUNDING * most
@@ -209,7 +205,7 @@ impl<'a> Component<'a> {
         const NEAR: f64 = 0.5;
         /// Of the greatest change, beyond which the impact has begun.
         const BEGUN: f64 = 0.2;
-        let (first, greatest) = (self.values.first()?, self.extreme().number.value.abs());
+        let (first, greatest) = (self.values.first()?, self.values[self.greatest()].abs());
         let begins = self.values.iter().position(|value| (value - first).abs() > BEGUN * greatest)?;
         let at = self.times[begins];
         let message = || {
@@ -220,10 +216,55 @@ impl<'a> Component<'a> {
         (at.abs() > NEAR).then(|| Notice::warning("impact-not-at-zero", self.channel.path.clone(), message()))
     }
 
-    fn extreme(&self) -> AtTime {
-        let at = greatest(self.values.iter().map(|value| value.abs()));
-        AtTime { number: self.noise.with(self.values[at]), time: self.times[at] }
+    /// Returns the step of its readings, zero if it is not known.
+    fn step(&self) -> f64 {
+        self.noise.step.unwrap_or(0.0)
     }
+
+    /// Returns the place of its greatest reading.
+    fn greatest(&self) -> usize {
+        greatest(self.values.iter().map(|value| value.abs()))
+    }
+
+    /// Returns a reading, of which the change since the impact may have ended is uncertain: it may be of the impact, or of tires.
+    fn reading(&self, at: usize, ended: usize) -> Uncertain {
+        let value = self.values[at];
+        let change = (value - self.values[ended]).abs();
+        // Either end is rounded.
+        let of_tires = if ended == at { 0.0 } else { (change + 0.5 * self.step()) / Distribution::NORMAL_95 };
+        Uncertain { value: value + 0.0, sd: self.noise.sd(value).map(|sd| libm::hypot(sd, of_tires)) }
+    }
+
+    /// Returns its greatest reading, where the impact may have ended at some reading before it.
+    fn extreme(&self, ended: &dyn Fn(usize) -> usize) -> AtTime {
+        let at = self.greatest();
+        AtTime { number: self.reading(at, ended(at)), time: self.times[at] }
+    }
+
+    /// Notes that it goes on changing no faster than by braking.
+    fn goes_on(&self, ended: &dyn Fn(usize) -> usize) -> Option<Notice> {
+        let at = self.greatest();
+        let from = ended(at);
+        let change = self.values[at] - self.values[from];
+        let message = || {
+            Message::from(format!("{} changes by ", self.channel.name))
+                .figure(Measure::Speed, change)
+                .join(stretch(self.times[from], self.times[at]))
+                .text(", no faster than by braking: its standard deviation allows for an impact that ended before; leave out the later rows if it did")
+        };
+        (change != 0.0).then(|| Notice::note("change-goes-on", self.channel.path.clone(), message()))
+    }
+}
+
+/// Returns the first reading from which the velocity changes no more up to another than full braking would change it: the impact may have ended there, and tires have done the rest.
+fn ended(components: &[&Component<'_>], at: usize) -> usize {
+    let rounding = 0.5 * components.iter().map(|component| component.step()).fold(0.0, f64::max);
+    let is_slow = |i: &usize| {
+        let changes = components.iter().map(|component| component.values[at] - component.values[*i]);
+        let change = changes.fold(0.0, libm::hypot);
+        components.first().is_some_and(|first| change <= FULL_BRAKING * (first.times[at] - first.times[*i]) + rounding)
+    };
+    (0..at).find(is_slow).unwrap_or(at)
 }
 
 impl Recorder {
@@ -249,12 +290,21 @@ impl Recorder {
             [forward.zip(of_forward), left.zip(of_left)].map(|found| found.map(|(channel, noise)| Component::of(channel, noise)));
         let maximum = forward.as_ref().zip(left.as_ref()).and_then(|(forward, left)| both(forward, left, issues));
         let components = || forward.iter().chain(&left);
+        let together: Vec<&Component<'_>> = if maximum.is_some() { components().collect() } else { Vec::new() };
+        let extreme = |component: &Component<'_>| {
+            let alone = [component];
+            component.extreme(&|at| ended(if together.is_empty() { &alone } else { &together }, at))
+        };
         notices.extend(components().filter_map(Component::of_scatter));
+        for component in components() {
+            let alone = [component];
+            notices.extend(component.goes_on(&|at| ended(if together.is_empty() { &alone } else { &together }, at)));
+        }
         for component in components() {
             let path = &component.channel.path;
             let duration = component.times.last().zip(component.times.first()).map_or(0.0, |(last, first)| last - first);
             notices.extend(unusual::duration(path, format!("{} is recorded over", component.channel.name), duration));
-            notices.extend(unusual::speed(path, component.extreme().number.value));
+            notices.extend(unusual::speed(path, component.values[component.greatest()]));
         }
         let is_dead = |component: &Component<'_>| component.channel.record.resolution().is_none();
         if let Some(first) = components().next().filter(|_| components().all(is_dead)) {
@@ -304,8 +354,8 @@ impl Recorder {
             notices.push(Notice::warning("sensor-clipped", sensor.channel.clone(), message));
         }
         Some(Recorder {
-            delta_v_forward: forward.as_ref().map(Component::extreme),
-            delta_v_left: left.as_ref().map(Component::extreme),
+            delta_v_forward: forward.as_ref().map(extreme),
+            delta_v_left: left.as_ref().map(extreme),
             maximum,
             is_lower_bound: !clipped_sensors.is_empty()
                 || components().any(|of| of.channel.clipped().is_some() || of.channel.cut(None).is_some()),
@@ -328,7 +378,9 @@ fn both(forward: &Component<'_>, left: &Component<'_>, issues: &mut Vec<Issue>) 
     }
     let at = greatest(forward.values.iter().zip(&left.values).map(|(forward, left)| libm::hypot(*forward, *left)));
     let (f, l) = (forward.values[at], left.values[at]);
-    let sds = forward.noise.sd(f).zip(left.noise.sd(l));
+    let ended = ended(&[forward, left], at);
+    let [of_forward, of_left] = [forward, left].map(|component| component.reading(at, ended));
+    let sds = of_forward.sd.zip(of_left.sd);
     let magnitude = libm::hypot(f, l);
     let pdof = ForceDirection::of_push(ForwardLeft { forward: f, left: l }).direction();
     // To first order; the two components are independent.
@@ -337,8 +389,8 @@ fn both(forward: &Component<'_>, left: &Component<'_>, issues: &mut Vec<Issue>) 
     Some(VelocityChange {
         time: forward.times[at],
         magnitude: Uncertain { value: magnitude, sd: if is_moving { along([f / magnitude, l / magnitude]) } else { along([1.0, 1.0]) } },
-        forward: forward.noise.with(f),
-        left: left.noise.with(l),
+        forward: of_forward,
+        left: of_left,
         pdof: is_moving.then(|| Uncertain { value: pdof, sd: along([l / magnitude / magnitude, f / magnitude / magnitude]) }),
     })
 }

@@ -44,7 +44,7 @@ pub enum CheckFormat {
 pub enum FailOn {
     /// Violated rules.
     Fail,
-    /// Also rules that could not be evaluated.
+    /// Also rules that could not be evaluated, and records that give too little for any law.
     Undecidable,
     /// Also warnings.
     Warn,

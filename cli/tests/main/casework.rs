@@ -241,6 +241,8 @@ fn slips_are_named_beside_rest_positions() {
         let slips: Vec<&Value> = messages.iter().filter(|message| message["code"] == "possible-slip").collect();
         let named = slips.iter().any(|slip| slip["path"] == path && slip["text"].as_str().is_some_and(|text| text.contains(words)));
         assert!(run.status == 1 && named, "{words}: {slips:?} {messages:?}");
+        // Nobody wrote a separation that is computed.
+        assert!(slips.iter().all(|slip| !slip["path"].as_str().is_some_and(|path| path.contains("separation"))), "{slips:?}");
     }
 }
 
@@ -481,6 +483,29 @@ fn what_is_too_uncertain_for_its_first_order_is_told() {
     // Of locked wheels by the way, of others to first order.
     assert_eq!([6.0, 0.6, 0.3].map(|way| count(&rest(way), "slide-short")), [0, 0, 1]);
     assert_eq!([6.0, 0.6].map(|way| count(&rest(way).replacen("\"locked\"", "{ braking = 0.9 }", 1), "slide-short")), [0, 1]);
+}
+
+/// Evidence that a slide to rest contradicts: by the program's own chi-square, which takes a short way, or one on wheels that roll, to first order.
+#[test]
+fn a_contradiction_by_a_slide_is_told_and_no_slip_is_named() {
+    let codes = |way: f64, wheels: &str, delta_v: f64| {
+        let evidence = format!("[evidence]\nvehicle.1.delta_v_magnitude = \"{delta_v} m/s ± 0.3 m/s\"\n[unknown]");
+        let case = slid_to_rest(way, 0.0).replace("\"locked\"", wheels).replace("[unknown]", &evidence);
+        let run = run_with_input(&["reconstruct", "-", "--starts", "4", "--format", "json"], &case);
+        let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|error| panic!("{error}: {}", run.err));
+        let count = |code: &str| answer["messages"].to_string().matches(&format!("\"{code}\"")).count();
+        let is_contradicted = answer["verdict"] == "contradicted";
+        (is_contradicted, count("contradiction-by-slide"), count("possible-slip") > 0, count("slide-bends"))
+    };
+    let (locked, braked) = ("\"locked\"", "{ braking = 0.5 }");
+    assert_eq!(codes(1.0, locked, 6.0), (false, 0, false, 0));
+    // Within twice of what chance explains, and beyond.
+    assert_eq!(codes(1.0, locked, 7.5), (true, 1, false, 0));
+    assert_eq!(codes(1.0, locked, 8.0), (true, 0, true, 0));
+    // A long way on locked wheels is its own.
+    assert_eq!(codes(6.0, locked, 14.0), (true, 0, false, 0));
+    assert_eq!(codes(6.0, braked, 9.0), (false, 0, false, 1));
+    assert_eq!(codes(6.0, braked, 11.0), (true, 1, false, 1));
 }
 
 /// By hand: on locked wheels a straight way is v²/(2 μ g), so that the interval of the speed has the ways within 1.96 standard deviations of the place at rest, and

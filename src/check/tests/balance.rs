@@ -101,9 +101,13 @@ fn energy_is_gained_for_an_observer_on_the_ground_or_with_the_pair() {
     // Without it, a gain of ½ (16 − 9) + ½ 3 (16/9 − 1) J is a warning, and a loss is none.
     let without = |after: f64| {
         let mut record = pair((3.0, -1.0), (after, -after / 3.0));
-        (record.one.yaw_inertia, record.two.yaw_inertia) = (None, None);
+        (record.one.before.yaw_rate, record.two.before.yaw_rate) = (None, None);
         record
     };
+    // A pair that does not spin needs no yaw inertia.
+    let mut still = pair((3.0, -1.0), (-4.0, 4.0 / 3.0));
+    (still.one.yaw_inertia, still.two.yaw_inertia) = (None, None);
+    finds(&still, Rule::EnergyGain, Severity::Fail, 3.5 + 7.0 / 6.0, 2e-2 * 6.0);
     finds(&without(-4.0), Rule::EnergyGain, Severity::Warn, 3.5 + 7.0 / 6.0, 2e-2 * 6.0);
     assert!(sizes(&without(-2.0), Rule::EnergyGain).is_empty() && sizes(&without(-3.01), Rule::EnergyGain).is_empty());
 }

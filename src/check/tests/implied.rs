@@ -63,6 +63,20 @@ fn the_model_leads_to_every_result() {
     assert!(not_checked.contains(&Rule::LinearMomentum) && !not_checked.contains(&Rule::Reported), "{not_checked:?}");
 }
 
+/// By hand: the impulse passes the center of mass of body 1, and 0.5 m beside that of body 2: 0.5 · 14 080/4000 rad/s.
+#[test]
+fn the_model_leads_to_spins() {
+    let spins = |one, two| {
+        let mut record = before();
+        (record.one.after.yaw_rate, record.two.after.yaw_rate) = (one, two);
+        rules(&record)
+    };
+    assert!(spins(Some(0.0), Some(1.76)).is_empty() && spins(None, Some(1.76)).is_empty() && spins(Some(0.0), None).is_empty());
+    for (one, two) in [(Some(0.0), Some(1.7)), (None, Some(-1.76)), (Some(0.1), None), (None, Some(0.0))] {
+        assert!(spins(one, two).contains(&"line-of-action"), "{one:?} {two:?}: {:?}", spins(one, two));
+    }
+}
+
 /// Every kind of ratio, either law, and a moment, of collisions that this crate solves.
 #[test]
 fn every_kind_of_model_leads_to_its_results() {

@@ -3,6 +3,7 @@
 use super::*;
 use crate::law::Law;
 use alloc::vec;
+use core::f64::consts::PI;
 
 /// Sets numbers of a record.
 pub(super) fn with(mut record: Record, numbers: &[(Key, f64)]) -> Record {
@@ -230,4 +231,124 @@ fn the_work_of_the_normal_impulse_is_held_however_it_is_known() {
     assert_eq!([-9e3, -10e3, -11e3].map(rest), [vec![], vec![], vec!["reported"]]);
     let by_motions = |work: f64| rules(&with(without_spins(), &[(ClosingSpeed, 10.0), (SeparationSpeed, 1.0), (NormalWork, work)]));
     assert_eq!([-36e3, -35e3].map(by_motions), [vec![], vec!["reported"]]);
+}
+
+/// Two cars of 1500 kg that close head-on at 15 and −5 m/s and do not spin.
+fn head_on() -> Record {
+    use Key::{BeforeX, BeforeY, Mass, NormalAngle};
+    let of_body = |side, speed| [(Mass(side), 1500.0), (BeforeX(side), speed), (BeforeY(side), 0.0), (Key::BeforeYawRate(side), 0.0)];
+    with(Record::default(), &[&of_body(Side::One, 15.0)[..], &of_body(Side::Two, -5.0), &[(NormalAngle, 0.0)]].concat())
+}
+
+/// By hand: changes of velocity of 12 m/s, from the front of both, leave 3 and 7 m/s. With either change alone, or as the magnitude of the impulse, too.
+#[test]
+fn an_impulse_by_magnitude_and_direction_leads_to_motions() {
+    let place = |side, x| [(Key::CenterX(side), x), (Key::CenterY(side), 0.0), (Key::YawInertia(side), 2500.0)];
+    let places = [&place(Side::One, 0.0)[..], &place(Side::Two, 4.0), &[(Key::PointX, 2.0), (Key::PointY, 0.0)]].concat();
+    let head_on = || with(head_on(), &places);
+    let headings = [(Key::Heading(Side::One), 0.0), (Key::Heading(Side::Two), PI), (Key::ForceDirection(Side::One), 0.0)];
+    let forms = [
+        &[(Key::DeltaV(Side::One), 12.0), (Key::DeltaV(Side::Two), 12.0), (Key::ForceDirection(Side::Two), 0.0)][..],
+        &[(Key::DeltaV(Side::One), 12.0)],
+        &[(Key::ImpulseMagnitude, 18_000.0)],
+    ];
+    for form in forms {
+        let said = |claim| rules(&with(with(head_on(), &headings), &[form, &[claim]].concat()));
+        for (key, right, wrong, rule) in [
+            (Key::Restitution, 0.2, 0.1, "restitution"),
+            (Key::SeparationSpeed, 4.0, 5.0, "reported"),
+            (Key::EnergyLoss, 144_000.0, 100_000.0, "reported"),
+            (Key::EnergyAfter, 43_500.0, 50_000.0, "reported"),
+        ] {
+            assert!(
+                said((key, right)).is_empty() && said((key, wrong)).contains(&rule),
+                "{form:?} {key}: {:?} {:?}",
+                said((key, right)),
+                said((key, wrong))
+            );
+        }
+    }
+    // At a ratio the impulse is from the other body.
+    let without_friction = |claim| {
+        let model = Model { ratio_kind: RatioKind::Given, impulse_ratio: Some(0.0), ..Model::default() };
+        rules(&with(Record { model, ..head_on() }, &[(Key::ImpulseMagnitude, 18_000.0), claim]))
+    };
+    assert!(without_friction((Key::SeparationSpeed, 4.0)).is_empty());
+    assert_eq!(without_friction((Key::SeparationSpeed, 5.0)), ["reported"]);
+}
+
+/// Without a spin neither inertia, nor places matter.
+#[test]
+fn a_pair_that_does_not_spin_needs_no_places() {
+    let after = |one, two| {
+        let of_body = |side, speed| [(Key::AfterX(side), speed), (Key::AfterY(side), 0.0), (Key::AfterYawRate(side), 0.0)];
+        with(head_on(), &[of_body(Side::One, one), of_body(Side::Two, two)].concat())
+    };
+    let said = |record: Record, claim| rules(&with(record, &[claim]));
+    for (key, right, wrong, rule) in [
+        (Key::Restitution, 0.2, 0.3, "restitution"),
+        (Key::ClosingSpeed, 20.0, 40.0, "reported"),
+        (Key::EnergyBefore, 187_500.0, 375_000.0, "reported"),
+        (Key::EnergyLoss, 144_000.0, 288_000.0, "reported"),
+        (Key::NormalWork, -144_000.0, -100_000.0, "reported"),
+    ] {
+        let [right, wrong] = [right, wrong].map(|value| said(after(3.0, 7.0), (key, value)));
+        assert!(right.is_empty() && wrong == [rule], "{key}: {right:?} {wrong:?}");
+    }
+    assert_eq!(rules(&after(-10.0, 20.0)), ["restitution", "energy-gain"]);
+    // Body 2 lies ahead, and they would drive through each other.
+    let places =
+        [(Key::CenterX(Side::One), 0.0), (Key::CenterY(Side::One), 0.0), (Key::CenterX(Side::Two), 4.0), (Key::CenterY(Side::Two), 0.0)];
+    assert!(rules(&with(after(3.0, 7.0), &places)).is_empty());
+    assert!(rules(&with(after(12.0, -2.0), &places)).contains(&"interpenetration"));
+    // Nor does a wall, and a spin needs a place.
+    let wall = |restitution| {
+        let mut record = with(after(-3.0, 0.0), &[(Key::Restitution, restitution)]);
+        record.two = Subject::FIXED;
+        record
+    };
+    assert!(rules(&wall(0.2)).is_empty());
+    assert_eq!(rules(&wall(0.6)), ["restitution"]);
+    assert!(rules(&with(wall(0.6), &[(Key::AfterYawRate(Side::One), 0.1)])).is_empty());
+}
+
+/// By hand: ½ · 750 · 20² J, and the center of mass of the pair keeps the rest.
+#[test]
+fn no_more_is_lost_than_the_relative_motion_has() {
+    let said = |claims: &[(Key, f64)]| rules(&with(head_on(), claims));
+    assert!(said(&[(Key::EnergyLoss, 150_000.0)]).is_empty());
+    assert_eq!(said(&[(Key::EnergyLoss, 160_000.0)]), ["reported"]);
+    assert_eq!(said(&[(Key::NormalWork, -140_000.0), (Key::TangentialWork, -20_000.0)]), ["reported"]);
+    assert_eq!(said(&[(Key::EnergyBefore, 187_500.0), (Key::EnergyAfter, 27_500.0)]), ["reported"]);
+    assert!(said(&[(Key::EnergyBefore, 187_500.0), (Key::EnergyAfter, 37_500.0)]).is_empty());
+}
+
+/// By hand: 2 · 80 000/16 000 = 10 m/s are (1 − e) of the closing speed, and the separation speed e of it.
+#[test]
+fn the_work_of_the_normal_impulse_is_that_of_either_speed() {
+    let known = [(Key::Restitution, 0.2), (Key::NormalWork, -80_000.0)];
+    let said = |claims: &[(Key, f64)]| rules(&with(Record::default(), &[&known[..], claims].concat()));
+    for impulse in [&[(Key::NormalImpulse, 16_000.0)][..], &[(Key::TangentialImpulse, 4000.0), (Key::ReportedRatio, 0.25)]] {
+        assert!(said(&[impulse, &[(Key::SeparationSpeed, 2.5)]].concat()).is_empty());
+        assert_eq!(said(&[impulse, &[(Key::SeparationSpeed, 10.0)]].concat()), ["reported"]);
+        assert!(said(&[impulse, &[(Key::ClosingSpeed, 12.5)]].concat()).is_empty());
+        assert_eq!(said(&[impulse, &[(Key::ClosingSpeed, 50.0)]].concat()), ["reported"]);
+    }
+}
+
+#[test]
+fn the_ratio_of_a_reported_impulse_is_held_as_a_reported_ratio() {
+    let said = |ratio_kind, impulse_ratio, claims: &[(Key, f64)]| {
+        rules(&with(Record { model: Model { ratio_kind, impulse_ratio, ..Model::default() }, ..Record::default() }, claims))
+    };
+    let impulse = |t| [(Key::CriticalRatio, 0.6), (Key::NormalImpulse, 10_000.0), (Key::TangentialImpulse, t)];
+    assert!(said(RatioKind::Critical, None, &impulse(6000.0)).is_empty());
+    assert!(said(RatioKind::Critical, None, &impulse(3000.0)).contains(&"impulse-ratio"));
+    assert!(said(RatioKind::OfCritical, Some(0.5), &impulse(3000.0)).is_empty());
+    assert_eq!(said(RatioKind::OfCritical, Some(0.5), &impulse(6000.0)), ["impulse-ratio"]);
+    assert_eq!(said(RatioKind::Friction, None, &impulse(7000.0)), ["beyond-critical"]);
+    // Without a ratio the tangential impulse does no work: all of the loss is that of the normal one.
+    let works = |normal| said(RatioKind::Given, Some(0.0), &[(Key::EnergyLoss, 60_000.0), (Key::NormalWork, normal)]);
+    assert!(works(-60_000.0).is_empty());
+    assert_eq!(works(-20_000.0), ["impulse-ratio"]);
 }

@@ -38,11 +38,13 @@ impl Report for JUnit {
             ("file", file.as_str()),
             ("line", line.as_str()),
         ]);
-        if entry.findings.is_empty() {
+        let unchecked = entry.unchecked();
+        if entry.findings.is_empty() && unchecked.is_none() {
             return event(to, Event::Empty(case));
         }
         event(to, Event::Start(case))?;
-        let (failures, rest): (Vec<&Found>, Vec<&Found>) = entry.findings.iter().partition(|found| self.fail_on.includes(found.severity));
+        let (failures, rest): (Vec<&Found>, Vec<&Found>) =
+            entry.findings.iter().chain(&unchecked).partition(|found| self.fail_on.includes(found.severity));
         for found in &failures {
             element(to, "failure", found)?;
         }

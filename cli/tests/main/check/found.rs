@@ -203,17 +203,26 @@ fn a_group_is_held_together() {
 /// A record that gives too little for any law passes, and is counted.
 #[test]
 fn a_record_without_a_law_is_said_to_be_unchecked() {
-    let record = |bodies: &str| {
+    let call = |bodies: &str, arguments: &[&str]| {
         let header = r#""schema": "planar-impact-record/1", "units": {"length": "m", "mass": "kg", "time": "s", "angle": "rad"}"#;
-        let run = run_with_input(
-            &["check", "-"],
-            &format!("{{{header}, \"records\": [{{\"id\": \"a\", \"profile\": \"impulse\", \"bodies\": {bodies}}}]}}"),
-        );
+        let records = format!("{{{header}, \"records\": [{{\"id\": \"a\", \"profile\": \"impulse\", \"bodies\": {bodies}}}]}}");
+        run_with_input(&[&["check", "-"], arguments].concat(), &records)
+    };
+    let record = |bodies: &str| {
+        let run = call(bodies, &[]);
         assert_eq!(run.status, 0, "{}", run.err);
         run.out
     };
     let wanted = "unchecked: 1 of them give too little for any law; see --rules\n";
-    assert!(record("[{\"mass\": 1000}, {\"mass\": 1200}]").contains(wanted));
+    let masses = "[{\"mass\": 1000}, {\"mass\": 1200}]";
+    assert!(record(masses).contains(wanted));
+    // Who asks for decisions has none here.
+    for (severity, status, element) in [("fail", 0, "<skipped"), ("undecidable", 1, "<failure"), ("warn", 1, "<failure")] {
+        assert_eq!(call(masses, &["--fail-on", severity]).status, status, "{severity}");
+        let run = call(masses, &["--fail-on", severity, "--format", "junit"]);
+        assert_eq!(run.status, status, "{severity}");
+        assert!(run.out.contains(&format!("{element} message=\"unchecked: it gives too little for any law; see --rules\"")), "{}", run.out);
+    }
     let body = |mass: u32, before: i32, after: i32| {
         format!("{{\"mass\": {mass}, \"before\": {{\"v\": [{before}, 0]}}, \"after\": {{\"v\": [{after}, 0]}}}}")
     };

@@ -29,6 +29,9 @@ fn files() {
     refused("a.csv", b" \r\n\t\n", &["it is empty"]);
     refused("a.json", b"\xef\xbb\xbf\n", &["it is empty"]);
     refused("a.json", b"\xff\xfe{\0", &["UTF-16"]);
+    let unit = "b1.before.vx [m/s]`; units stand in a line of their own, below the names";
+    refused("a.csv", b"id,b1.before.vx [m/s]\n,m/s\na,1\n", &[unit]);
+    refused("a.csv", b"id,b1.before.vx\n,[m/s]\na,1\n", &["write it without brackets: `m/s`"]);
     refused("a.csv", b"i\0d\0", &["it is UTF-16; save it as UTF-8"]);
     refused("a.csv", b"sep=,\nid,e\n,\n1,0.1\n", &["line 1: the first line must name the columns, and is `sep=`; remove it"]);
     refused("a.json", b"{\"schema\": \"\xff\"}", &["not"]);
