@@ -42,10 +42,8 @@ impl Document {
         let json = is_json(&source);
         let parsed = if json { json::parse(&source.text) } else { toml::parse(&source.text) };
         let source = Arc::new(source);
-        let said = |list: Vec<Issue>| match () {
-            () if source.name.to_ascii_lowercase().ends_with(".csv") => vec![is_table(&source.name)],
-            () => other_format(&source.text, json).map_or(list, |issue| vec![issue]),
-        };
+        let as_a_whole = || is_table(&source).or_else(|| other_format(&source));
+        let said = |list| as_a_whole().map_or(list, |issue| vec![issue]);
         let root = parsed.map_err(|list| Issues::new(Cause::Input, source.clone(), said(list)))?;
         match root.value {
             Value::Table(entries) => {
@@ -154,28 +152,35 @@ fn child<'a>(node: &'a Node, part: &str) -> Option<&'a Node> {
 }
 
 /// Returns the issue of a table in the place of a document, in which every line would be one.
-fn is_table(name: &str) -> Issue {
-    let message = format!("{} is a table, where a TOML or JSON file is expected", excerpt(name));
-    Issue::of_file("unreadable-file", message).with_help("`batch` solves tables, `check` reads records, and `record` recordings")
+fn is_table(source: &Source) -> Option<Issue> {
+    let message = || format!("{} is a table, where a TOML or JSON file is expected", excerpt(&source.name));
+    let issue =
+        || Issue::of_file("unreadable-file", message()).with_help("`batch` solves tables, `check` reads records, and `record` recordings");
+    (extension(source)? == "csv").then(issue)
 }
 
 /// Returns the issue of a file in one format whose name is that of the other.
-fn other_format(text: &str, json: bool) -> Option<Issue> {
-    let (is_other, [found, expected]) = match json {
-        true => (toml::parse(text).is_ok(), ["TOML", "JSON"]),
-        false => (json::parse(text).is_ok(), ["JSON", "TOML"]),
+fn other_format(source: &Source) -> Option<Issue> {
+    let (is_other, [found, expected]) = match extension(source)?.as_str() {
+        "json" => (toml::parse(&source.text).is_ok(), ["TOML", "JSON"]),
+        "toml" => (json::parse(&source.text).is_ok(), ["JSON", "TOML"]),
+        _ => return None,
     };
     let help = || format!("let the name of the file end in .{}", found.to_ascii_lowercase());
     is_other.then(|| Issue::of_file("syntax", format!("this is not {expected}, as its name says, but {found}")).with_help(help()))
 }
 
 fn is_json(source: &Source) -> bool {
-    let extension = Path::new(&source.name).extension().map(|end| end.to_ascii_lowercase());
-    match extension.as_ref().and_then(|end| end.to_str()) {
+    match extension(source).as_deref() {
         Some("json") => true,
         Some("toml") => false,
         _ => source.text.trim_start().starts_with('{'),
     }
+}
+
+/// Returns how the name of a file ends, in lower case.
+fn extension(source: &Source) -> Option<String> {
+    Some(Path::new(&source.name).extension()?.to_str()?.to_ascii_lowercase())
 }
 
 #[cfg(test)]

@@ -49,9 +49,10 @@ pub fn bends(case: &Case, separations: &Separations) -> Vec<Notice> {
 /// Returns a warning of evidence that contradicts itself and might not if ways to rest were followed from every motion: short ones on locked wheels, and any on wheels that roll, of
 /// which the separation bends.
 pub fn of_contradiction(question: &Question, separations: &Separations, best: &Solution) -> Vec<Notice> {
-    /// Share of the speed from which a slide on locked wheels ends elsewhere than its way at one motion does. Of 1000 crashes with ways below two meters, chi-square was up to
-    /// twice as large as at the places; of 69 with wheels that roll, up to seven times.
+    /// Share of the speed from which a slide on locked wheels ends elsewhere than its way at one motion does.
     const BENT: f64 = 0.15;
+    /// How many times as large chi-square was as by the slides themselves: up to twice in 1000 crashes with ways below two meters on locked wheels, and up to seven times in 69 with
+    /// wheels that roll.
     const MOST: [f64; 2] = [2.0, 8.0];
     let warning = |(side, separation): (Side, &Option<Separation>)| {
         let separation = separation.as_ref()?;

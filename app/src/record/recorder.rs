@@ -226,7 +226,7 @@ impl<'a> Component<'a> {
         greatest(self.values.iter().map(|value| value.abs()))
     }
 
-    /// Returns a reading, of which the change since the impact may have ended is uncertain: it may be of the impact, or of tires.
+    /// Returns a reading. What it changed by since the impact may have ended is uncertain: it may be of the impact, or of tires.
     fn reading(&self, at: usize, ended: usize) -> Uncertain {
         let value = self.values[at];
         let change = (value - self.values[ended]).abs();
@@ -236,20 +236,19 @@ impl<'a> Component<'a> {
     }
 
     /// Returns its greatest reading, where the impact may have ended at some reading before it.
-    fn extreme(&self, ended: &dyn Fn(usize) -> usize) -> AtTime {
+    fn extreme(&self, ended: usize) -> AtTime {
         let at = self.greatest();
-        AtTime { number: self.reading(at, ended(at)), time: self.times[at] }
+        AtTime { number: self.reading(at, ended), time: self.times[at] }
     }
 
     /// Notes that it goes on changing no faster than by braking.
-    fn goes_on(&self, ended: &dyn Fn(usize) -> usize) -> Option<Notice> {
+    fn goes_on(&self, ended: usize) -> Option<Notice> {
         let at = self.greatest();
-        let from = ended(at);
-        let change = self.values[at] - self.values[from];
+        let change = self.values[at] - self.values[ended];
         let message = || {
             Message::from(format!("{} changes by ", self.channel.name))
                 .figure(Measure::Speed, change)
-                .join(stretch(self.times[from], self.times[at]))
+                .join(stretch(self.times[ended], self.times[at]))
                 .text(", no faster than by braking: its standard deviation allows for an impact that ended before; leave out the later rows if it did")
         };
         (change != 0.0).then(|| Notice::note("change-goes-on", self.channel.path.clone(), message()))
@@ -290,16 +289,13 @@ impl Recorder {
             [forward.zip(of_forward), left.zip(of_left)].map(|found| found.map(|(channel, noise)| Component::of(channel, noise)));
         let maximum = forward.as_ref().zip(left.as_ref()).and_then(|(forward, left)| both(forward, left, issues));
         let components = || forward.iter().chain(&left);
-        let together: Vec<&Component<'_>> = if maximum.is_some() { components().collect() } else { Vec::new() };
-        let extreme = |component: &Component<'_>| {
-            let alone = [component];
-            component.extreme(&|at| ended(if together.is_empty() { &alone } else { &together }, at))
+        // Of both together, where they are read at the same times.
+        let ended = |component: &Component<'_>| match (&forward, &left, &maximum) {
+            (Some(forward), Some(left), Some(_)) => ended(&[forward, left], component.greatest()),
+            _ => ended(&[component], component.greatest()),
         };
         notices.extend(components().filter_map(Component::of_scatter));
-        for component in components() {
-            let alone = [component];
-            notices.extend(component.goes_on(&|at| ended(if together.is_empty() { &alone } else { &together }, at)));
-        }
+        notices.extend(components().filter_map(|component| component.goes_on(ended(component))));
         for component in components() {
             let path = &component.channel.path;
             let duration = component.times.last().zip(component.times.first()).map_or(0.0, |(last, first)| last - first);
@@ -354,8 +350,8 @@ impl Recorder {
             notices.push(Notice::warning("sensor-clipped", sensor.channel.clone(), message));
         }
         Some(Recorder {
-            delta_v_forward: forward.as_ref().map(extreme),
-            delta_v_left: left.as_ref().map(extreme),
+            delta_v_forward: forward.as_ref().map(|forward| forward.extreme(ended(forward))),
+            delta_v_left: left.as_ref().map(|left| left.extreme(ended(left))),
             maximum,
             is_lower_bound: !clipped_sensors.is_empty()
                 || components().any(|of| of.channel.clipped().is_some() || of.channel.cut(None).is_some()),
