@@ -142,6 +142,19 @@ impl<T: Ordered<Mask = bool>> Smoothed<T> {
     }
 
     /// Returns the same with a variance of one sample of which 1.96 standard deviations are 95 % of Student's distribution: few samples hardly tell their noise.
+    ///
+    /// ```
+    /// use planar_impact::barrier::{Lowess, Record, TestIssues};
+    /// // A point that moves uniformly, with errors to and fro.
+    /// let widening = |frames: u32| -> Result<f64, TestIssues> {
+    ///     let distances = (0..frames).map(|i| 0.02 * f64::from(i) + if i % 2 == 0 { 1e-3 } else { -1e-3 }).collect();
+    ///     let film: Record = Record::uniform(0.0, 0.01, distances)?;
+    ///     let smoothed = Lowess { neighbors: 9, robust_passes: 0 }.smooth(&film)?;
+    ///     Ok(smoothed.clone().widened().noise() / smoothed.noise())
+    /// };
+    /// assert!(widening(9)? > 1.4 && widening(90)? < 1.1);
+    /// # Ok::<(), TestIssues>(())
+    /// ```
     #[must_use]
     pub fn widened(self) -> Self {
         Smoothed { noise: self.noise * student(self.freedom.clone()), ..self }

@@ -275,6 +275,14 @@ fn an_impulse_by_magnitude_and_direction_leads_to_motions() {
     };
     assert!(without_friction((Key::SeparationSpeed, 4.0)).is_empty());
     assert_eq!(without_friction((Key::SeparationSpeed, 5.0)), ["reported"]);
+    // Where body 2 slides past it at −10 m/s, friction pushes body 1 that way: 2 m · 1800 N s/2500 kg m² of spin.
+    let sliding = |yaw_rate: f64| {
+        let model = Model { ratio_kind: RatioKind::Given, impulse_ratio: Some(0.1), ..Model::default() };
+        let of_slide = [(Key::BeforeY(Side::Two), -10.0), (Key::ImpulseMagnitude, 18_000.0 * 1.01_f64.sqrt())];
+        rules(&with(Record { model, ..head_on() }, &[&of_slide[..], &[(Key::AfterYawRate(Side::One), yaw_rate)]].concat()))
+    };
+    assert!(sliding(-1.44).is_empty(), "{:?}", sliding(-1.44));
+    assert!(sliding(1.44).contains(&"line-of-action"));
 }
 
 /// Without a spin neither inertia, nor places matter.
