@@ -41,6 +41,11 @@ pub(super) fn claimed_moment_work<const N: usize>(known: &Known<'_, N>) -> Optio
     known.number(Key::MomentWork).or_else(implied)
 }
 
+/// Returns the work of the normal or of the tangential impulse that a loss, the reported work of the other and that of the moment leave.
+pub(super) fn rest_of_loss<const N: usize>(known: &Known<'_, N>, loss: Uncertain<N>, other: Key) -> Option<Uncertain<N>> {
+    Some(-(loss + known.number(other)? + claimed_moment_work(known)?))
+}
+
 /// The work of the normal impulse: the reported one, or that which the loss and the other works leave.
 struct NormalWork<const N: usize> {
     work: Uncertain<N>,
@@ -53,8 +58,8 @@ impl<const N: usize> NormalWork<N> {
     fn claimed(known: &Known<'_, N>) -> Option<Self> {
         let reported = known.number(Key::NormalWork).map(|work| NormalWork { work, words: "is said to be", scale: work.value.abs() });
         let rest = || {
-            let (loss, t, m) = (known.number(Key::EnergyLoss)?, known.number(Key::TangentialWork)?, claimed_moment_work(known)?);
-            Some(NormalWork { work: -(loss + t + m), words: "is by the loss and the other works", scale: available(known) })
+            let work = rest_of_loss(known, known.number(Key::EnergyLoss)?, Key::TangentialWork)?;
+            Some(NormalWork { work, words: "is by the loss and the other works", scale: available(known) })
         };
         reported.or_else(rest)
     }
@@ -239,7 +244,7 @@ fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Ju
     };
     let loss = sharper_known(claimed_loss(known), known.loss(), Uncertain::radius);
     let of_motion = known.touch.and_then(|touch| touch.work).map(|work| -work.n);
-    let of_works = || Some(loss? + known.number(Key::TangentialWork)? + claimed_moment_work(known)?);
+    let of_works = || rest_of_loss(known, loss?, Key::TangentialWork).map(|work| -work);
     let claimed = known.number(Key::NormalWork).map(|work| -work).or_else(of_works);
     let normal = sharper_known(claimed, of_motion, Uncertain::radius);
     let all = |side: Side| energy(side).or_else(|| known.subject(side).fixed.then(|| Uncertain::exact(0.0)));

@@ -25,21 +25,12 @@ pub(super) struct EnergyLoss<const N: usize> {
 impl<const N: usize> EnergyLoss<N> {
     pub(super) fn of(one: &Subject<N>, two: &Subject<N>) -> Option<Self> {
         let spin = one.spin_is_known() && two.spin_is_known();
-        let energy = |when, observer| Some(one.kinetic_energy(when, observer, spin)? + two.kinetic_energy(when, observer, spin)?);
-        let (before, after) = (energy(When::Before, Xy::zero())?, energy(When::After, Xy::zero())?);
-        let made = |on_ground: Uncertain<N>, of_pair, available| EnergyLoss {
-            before,
-            after,
-            on_ground,
-            of_pair,
-            available,
-            translation_only: !spin,
-        };
-        let internal = |when| internal(one, two, when, spin);
-        let of_pair = internal(When::Before)?;
-        let falls = of_pair - internal(When::After)?;
-        let on_ground = if one.fixed || two.fixed { falls } else { before - after };
-        Some(made(on_ground, falls, of_pair.value))
+        let energy = |when| energy_for(one, two, when, Xy::zero(), spin);
+        let (before, after) = (energy(When::Before)?, energy(When::After)?);
+        let available = internal(one, two, When::Before, spin)?;
+        let of_pair = available - internal(one, two, When::After, spin)?;
+        let on_ground = if one.fixed || two.fixed { of_pair } else { before - after };
+        Some(EnergyLoss { before, after, on_ground, of_pair, available: available.value, translation_only: !spin })
     }
 
     /// Returns the most that can be lost: the kinetic energy before, with the spins, for an observer who moves with the center of mass of the pair or with the fixed body.
@@ -53,10 +44,21 @@ impl<const N: usize> EnergyLoss<N> {
     }
 }
 
+/// Returns the kinetic energy of both bodies for an observer.
+fn energy_for<const N: usize>(
+    one: &Subject<N>,
+    two: &Subject<N>,
+    when: When,
+    observer: Xy<Uncertain<N>>,
+    spin: bool,
+) -> Option<Uncertain<N>> {
+    Some(one.kinetic_energy(when, observer, spin)? + two.kinetic_energy(when, observer, spin)?)
+}
+
 /// Returns the kinetic energy for an observer who moves with the center of mass of the pair or with the fixed body: by König's theorem that of the relative motion, and the spins.
 fn internal<const N: usize>(one: &Subject<N>, two: &Subject<N>, when: When, spin: bool) -> Option<Uncertain<N>> {
     if let Some(wall) = [one, two].into_iter().find(|subject| subject.fixed) {
-        return Some(one.kinetic_energy(when, wall.before?, spin)? + two.kinetic_energy(when, wall.before?, spin)?);
+        return energy_for(one, two, when, wall.before?, spin);
     }
     let (m1, m2) = (one.mass?, two.mass?);
     let past = two.velocity(when)? - one.velocity(when)?;

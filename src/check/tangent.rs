@@ -1,6 +1,6 @@
 //! Rules along the tangent: `impulse-ratio`, `beyond-critical`.
 
-use super::claimed_energies::{available, claimed_loss, claimed_moment_work};
+use super::claimed_energies::{available, rest_of_loss};
 use super::format::Digits;
 use super::judge::{ENERGY, IMPULSE, Judge, Residual};
 use super::key::Key;
@@ -221,14 +221,14 @@ fn reported_ratio<const N: usize>(known: &Known<'_, N>, judge: &Judge) -> Option
 
 /// Checks that without an impulse ratio there is no tangential impulse, and no work of one. With a normal impulse that is known they are compared themselves.
 fn no_tangential_impulse<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
-    let of_key = [
-        (Key::TangentialImpulse, "impulse", "N s", IMPULSE, known.beside.impulse),
-        (Key::TangentialWork, "work of the tangential impulse", "J", ENERGY, known.beside.energy),
+    let rest = || rest_of_loss(known, known.number(Key::EnergyLoss)?, Key::NormalWork);
+    let (impulse, work) = (known.number(Key::TangentialImpulse), known.number(Key::TangentialWork).or_else(rest));
+    let claims = [
+        (impulse, "impulse", "N s", IMPULSE, known.beside.impulse),
+        (work, "work of the tangential impulse", "J", ENERGY, available(known)),
     ];
-    for (key, what, unit, rounded, beside) in of_key {
-        let rest = || Some(-(claimed_loss(known)? + known.number(Key::NormalWork)? + claimed_moment_work(known)?));
-        let Some(claimed) = known.number(key).or_else(|| if key == Key::TangentialWork { rest() } else { None }) else { continue };
-        let beside = beside.max(if key == Key::TangentialWork { available(known) } else { 0.0 });
+    for (claimed, what, unit, rounded, beside) in claims {
+        let Some(claimed) = claimed else { continue };
         judge.zero(Rule::ImpulseRatio, Residual::new(claimed, claimed.value.abs().max(beside)).beside(rounded), |size, bound| {
             let (size, bound) = (Digits(size), Digits(bound));
             format!("the impulse ratio is said to be 0, and the {what} along t to be {size} {unit}, {bound} may be")

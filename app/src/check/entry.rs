@@ -141,8 +141,8 @@ impl Entry {
 
     /// Returns the severity of its most severe finding; a record that gives too little for any law is not decided.
     pub fn worst(&self) -> Option<Severity> {
-        let unchecked = self.unchecked();
-        self.findings.iter().chain(&unchecked).map(|found| found.severity).max()
+        let unchecked = self.is_unchecked().then_some(Severity::Undecidable);
+        self.findings.iter().map(|found| found.severity).chain(unchecked).max()
     }
 
     /// Returns the name, or the line if there is no name.

@@ -271,19 +271,19 @@ const BRACKETS: [char; 7] = ['[', ']', '(', ')', '{', '}', ' '];
 const SIGNS: [(&[char], char); 2] = [(&['\u{2215}', '\u{2044}', '\u{f7}'], '/'), (&['\u{d7}', '\u{2219}', '\u{2022}', '.'], '*')];
 
 /// Returns a unit with the ordinary signs of division and multiplication, and a sign before each exponent, as `m*s^-1` of `m.s-1`.
-fn in_ordinary_signs(unit: &str) -> Option<String> {
+fn in_ordinary_signs(unit: &str) -> String {
     let mut meant = String::new();
     let mut last = None::<char>;
     for (at, c) in unit.char_indices() {
         let ordinary = SIGNS.iter().find(|(signs, _)| signs.contains(&c)).map_or(c, |(_, ordinary)| *ordinary);
         let is_exponent = c.is_ascii_digit() || (c == '-' && unit[at + 1..].starts_with(|next: char| next.is_ascii_digit()));
-        if is_exponent && last?.is_alphabetic() {
+        if is_exponent && last.is_some_and(char::is_alphabetic) {
             meant.push('^');
         }
         meant.push(ordinary);
         last = Some(c);
     }
-    Some(meant)
+    meant
 }
 
 fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
@@ -294,7 +294,8 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
     if unit.trim_start().starts_with(['[', '(', '{']) {
         return QuantityError::with_help(message, format!("write it without brackets: `{}`", unit.trim_matches(BRACKETS)));
     }
-    if let Some(meant) = in_ordinary_signs(unit).filter(|meant| meant != unit && Unit::parse(meant).is_ok()) {
+    let meant = in_ordinary_signs(unit);
+    if meant != unit && Unit::parse(&meant).is_ok() {
         return QuantityError::with_help(message, format!("did you mean `{meant}`?"));
     }
     // What has no letter is no name of a unit.

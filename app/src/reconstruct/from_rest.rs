@@ -118,14 +118,19 @@ impl FromRest {
     }
 }
 
+/// Returns the speed of a separation, and the deviation of its velocity.
+pub(super) fn speed_of(separation: &Separation) -> [f64; 2] {
+    let [x, y, _] = separation.covariance.deviations();
+    [separation.motion.velocity.length(), libm::hypot(x, y)]
+}
+
 /// Returns a warning of a separation that is too uncertain: a slide that is not much longer than the uncertainty of the rest position determines neither its speed,
 /// which grows with the root of the way, nor its direction.
 fn of_short_slide(side: Side, separation: &Separation, is_by_way: bool) -> Option<Notice> {
     /// Share of the speed up to which intervals of 95 % contain the truth in about as many cases: to first order, and by the way on locked wheels.
     const STRAIGHT: f64 = 0.25;
     const BY_WAY: f64 = 0.8;
-    let [x, y, _] = separation.covariance.deviations();
-    let (speed, sd) = (separation.motion.velocity.length(), libm::hypot(x, y));
+    let [speed, sd] = speed_of(separation);
     let message = || {
         Message::from(format!("vehicle.{}: its separation speed of ", vehicle_number(side)))
             .figure(Measure::RoadSpeed, speed)

@@ -5,7 +5,7 @@ use planar_impact::reconstruct::Solution;
 use planar_impact::{Side, Xy};
 
 use super::followed::Followed;
-use super::from_rest::{Separations, key};
+use super::from_rest::{Separations, key, speed_of};
 use super::question::Question;
 use crate::case::{Case, vehicle_number};
 use crate::notice::Notice;
@@ -57,8 +57,8 @@ pub fn of_contradiction(question: &Question, separations: &Separations, best: &S
     let warning = |(side, separation): (Side, &Option<Separation>)| {
         let separation = separation.as_ref()?;
         let is_by_way = question.asked.separation_from_rest[side as usize];
-        let [x, y, _] = separation.covariance.deviations();
-        let is_short = libm::hypot(x, y) > BENT * separation.motion.velocity.length();
+        let [speed, sd] = speed_of(separation);
+        let is_short = sd > BENT * speed;
         let most = MOST[usize::from(!is_by_way)];
         if (is_by_way && !is_short) || !best.would_be_explained(best.chi_square / most) {
             return None;

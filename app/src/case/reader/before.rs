@@ -48,7 +48,7 @@ impl CaseReader {
     fn braking(&self, table: &Table<'_>, side: Side) -> Option<BrakingInputs> {
         let skids = self.skids(table.required("skid"), side);
         let place = table.optional("reaction_time");
-        let reaction_time = table.has("reaction_time").then(|| self.not_negative(table.optional("reaction_time"), Kind::DURATION));
+        let reaction_time = table.has("reaction_time").then(|| self.not_negative(place.clone(), Kind::DURATION));
         table.finish();
         let reaction_time = match reaction_time {
             Some(Some(time)) if time > LONGEST_REACTION => {

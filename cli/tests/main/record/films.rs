@@ -111,6 +111,21 @@ fn place_of_point(ms: i32) -> f64 {
     1e3 * (2.0 - 10.0 * t + pushed)
 }
 
+/// Writes a film with these rows, of a contact of 100 ms.
+fn write_film(folder: &Folder, file: &str, rows: &str) {
+    let text = format!("schema = 1\nwindow = [\"0 ms\", \"100 ms\"]\nsamples = \"time [ms],distance [mm]\\n{rows}\"\n");
+    folder.write(file, text.as_bytes());
+}
+
+/// Returns how many films have a truth within 1.96 standard deviations of what they say.
+fn held(json: &Value, of: &str, truth: f64) -> usize {
+    let holds = |record: &&Value| {
+        let found = |key: &str| record["films"][0][of][key].as_f64().expect("a number");
+        (found("value") - truth).abs() <= 1.96 * found("sd")
+    };
+    json["records"].as_array().expect("records").iter().filter(holds).count()
+}
+
 /// Of nine frames before the contact, with errors of 4 mm: as the scatter is estimated from them, 1.96 of its standard deviations alone hold the closing speed in 86 %.
 #[test]
 fn few_frames_hardly_tell_their_scatter() {
@@ -121,15 +136,9 @@ fn few_frames_hardly_tell_their_scatter() {
         for ms in (-16..160).step_by(2) {
             write!(rows, "{ms},{:.3}\\n", place_of_point(ms) + 4.0 * normal()).expect("a string takes everything");
         }
-        let text = format!("schema = 1\nwindow = [\"0 ms\", \"100 ms\"]\nsamples = \"time [ms],distance [mm]\\n{rows}\"\n");
-        folder.write(file, text.as_bytes());
+        write_film(&folder, file, &rows);
     }
-    let json = records_of(&folder, &names);
-    let holds = |record: &&Value| {
-        let of = |key: &str| record["films"][0]["closing_speed"][key].as_f64().expect("a number");
-        (of("value") - 10.0).abs() <= 1.96 * of("sd")
-    };
-    let held = json["records"].as_array().expect("records").iter().filter(holds).count();
+    let held = held(&records_of(&folder, &names), "closing_speed", 10.0);
     assert!((74..80).contains(&held), "{held} of 80");
 }
 
@@ -147,16 +156,11 @@ fn errors_that_go_on_from_frame_to_frame_are_counted() {
                 error = coefficient * error + (1.0 - coefficient * coefficient).sqrt() * normal();
                 write!(rows, "{ms},{:.3}\\n", place_of_point(ms) + 3.0 * error).expect("a string takes everything");
             }
-            let text = format!("schema = 1\nwindow = [\"0 ms\", \"100 ms\"]\nsamples = \"time [ms],distance [mm]\\n{rows}\"\n");
-            folder.write(file, text.as_bytes());
+            write_film(&folder, file, &rows);
         }
         let json = records_of(&folder, &names);
-        let holds = |record: &&Value| {
-            let of = |key: &str| record["films"][0]["restitution"][key].as_f64().expect("a number");
-            (of("value") - 0.15).abs() <= 1.96 * of("sd")
-        };
         let told = json.to_string().matches("\"correlated-frames\"").count();
-        (json["records"].as_array().expect("records").iter().filter(holds).count(), told)
+        (held(&json, "restitution", 0.15), told)
     };
     let ([white, told_of_white], [correlated, told]) = (covered("w", 0.0).into(), covered("c", 0.8).into());
     assert!(white >= 53 && correlated >= 53, "{white} and {correlated} of 60");
