@@ -186,6 +186,8 @@ impl Plan {
             );
             Notice::warning("motion-across-lost", speed.to_string(), message)
         });
+        let pounds = self.inputs.iter().filter(|column| column.has_pound_force());
+        let pounds = pounds.map(|column| Notice::pound_force_assumed(&column.key.to_string()));
         // A few degrees are as plausible in radians. Where others have a unit, one without may have been forgotten.
         let some_have = self.inputs.iter().any(InputColumn::has_unit);
         let assumed: Vec<(&InputColumn, &str)> = self.inputs.iter().filter_map(|column| Some((column, column.assumed_unit()?))).collect();
@@ -215,6 +217,7 @@ impl Plan {
             .chain(unread)
             .chain(in_si)
             .chain(replaced)
+            .chain(pounds)
             .chain(assumed)
             .collect()
     }

@@ -49,6 +49,11 @@ impl Notice {
         (*bare && !unit.is_empty()).then(|| Notice::note("unit-assumed", path, format!("{path} has no unit: {si} {unit} assumed")))
     }
 
+    /// Creates the note that a pound was read as a force.
+    pub(crate) fn pound_force_assumed(path: &str) -> Notice {
+        Notice::note("pound-force-assumed", path, format!("{path}: `lb` is taken as the pound-force, lbf, because a force is meant"))
+    }
+
     /// Creates the warning of a number without a unit, which counts in that of SI, beside one that has another; of a ratio the unit is empty.
     pub(crate) fn mixed_units(path: impl Into<String>, bare: &str, si: &str, [other, unit]: [&str; 2]) -> Notice {
         let counts = if si.is_empty() { "as a plain number".to_owned() } else { format!("in {si}") };

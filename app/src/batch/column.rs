@@ -199,6 +199,11 @@ impl InputColumn {
         self.conversion.is_some()
     }
 
+    /// Returns `true` if a pound in its unit is taken as a force.
+    pub(super) fn has_pound_force(&self) -> bool {
+        self.conversion.is_some_and(|conversion| conversion.pound_force)
+    }
+
     /// Returns `true` for a number that a case file accepts, which is finite.
     #[inline]
     pub(super) fn accepts(&self, number: f64) -> bool {
@@ -274,9 +279,10 @@ impl InputColumn {
 }
 
 impl Key {
-    /// Returns `true` if it has a unit, and this is one.
+    /// Returns `true` if it has a unit, and this is one; a number alone is none in the name of a column.
     fn has_unit(self, unit: &str) -> bool {
-        matches!(self, Key::Parameter(parameter) if Conversion::of(unit, parameter.kind()).is_ok())
+        let is_number = unit.chars().all(|c| c.is_ascii_digit());
+        !is_number && matches!(self, Key::Parameter(parameter) if Conversion::of(unit, parameter.kind()).is_ok())
     }
 }
 
@@ -306,47 +312,96 @@ fn known() -> impl Iterator<Item = Key> {
     inputs.chain(of_vehicles).chain(of_contact).chain([Key::Law])
 }
 
-/// Returns the inputs that a column which passes through may be meant as: its name is their symbol, or theirs without `vehicle.1` or `contact`, or with the vehicle
-/// in other words, as `veh1.mass` and `mass1`.
+/// Returns the inputs that a column which passes through may be meant as, by the words of its name in whatever order: its number of the vehicle, its symbol, its words
+/// without `vehicle.1` or `contact`, or what people call it, as `veh1.mass`, `mass1`, `vx2` and `mass_lb_2`.
 ///
 /// Each is a header, with the unit that stands in the name or behind it.
 pub(super) fn meant_by(header: &Header) -> Vec<String> {
     let name = visible(&header.name);
-    let split: Vec<(&str, &str)> = header::split(&name).collect();
-    let unit_of = |key: &Key| {
-        let given = header.unit.as_deref().into_iter().chain(split.iter().map(|(_, unit)| *unit));
-        given.map(str::trim).find(|unit| key.has_unit(unit)).map(str::to_owned)
-    };
     // A unit in parentheses is no part of the name.
     let base = name.split('(').next().unwrap_or_default().trim();
-    let with_unit = split.iter().map(|(bare, unit)| named_like(bare).into_iter().filter(|key| key.has_unit(unit)).collect());
-    let meant: Vec<Key> = [named_like(base)].into_iter().chain(with_unit).find(|keys| !keys.is_empty()).unwrap_or_default();
-    meant.iter().map(|key| unit_of(key).map_or_else(|| key.to_string(), |unit| format!("{key} [{unit}]"))).collect()
+    let split: Vec<(&str, &str)> = header::split(&name).collect();
+    let all = words(base);
+    let behind = split.iter().map(|(bare, unit)| (words(bare), *unit));
+    let among = all.iter().map(|unit| (all.iter().copied().filter(|word| word != unit).collect(), *unit));
+    let with_unit = behind.chain(among).map(|(words, unit)| named_like(&words).into_iter().filter(|key| key.has_unit(unit)).collect());
+    let meant: Vec<Key> = [named_like(&all)].into_iter().chain(with_unit).find(|keys: &Vec<Key>| !keys.is_empty()).unwrap_or_default();
+    let unit_of = |key: &Key| {
+        let given = header.unit.as_deref().into_iter().chain(split.iter().map(|(_, unit)| *unit)).chain(all.iter().copied());
+        given.map(str::trim).find(|unit| key.has_unit(unit))
+    };
+    let has_any = meant.iter().any(|key| unit_of(key).is_some());
+    let headed = |key: &Key| unit_of(key).map_or_else(|| key.to_string(), |unit| format!("{key} [{unit}]"));
+    meant.iter().filter(|key| !has_any || unit_of(key).is_some()).map(headed).collect()
 }
 
-/// The same without a unit.
-fn named_like(base: &str) -> Vec<Key> {
-    let lower = match base.to_ascii_lowercase().trim_start_matches("model.") {
-        "cor" | "coefficient of restitution" | "restitution coefficient" => "restitution".to_owned(),
-        "friction coefficient" | "coefficient of friction" => "friction".to_owned(),
-        "gamma" | "normal_angle" => "crush_plane".to_owned(),
-        lower => lower.replace(WEIGHT, "mass"),
+/// Returns the words of a name: letters apart from digits, and both apart at any other sign.
+fn words(name: &str) -> Vec<&str> {
+    let kind = |c: char| (c.is_alphanumeric(), c.is_ascii_digit());
+    let mut words: Vec<&str> = Vec::new();
+    let mut from = 0;
+    for ((_, c), (at, next)) in name.char_indices().zip(name.char_indices().skip(1).chain([(name.len(), ' ')])) {
+        if kind(c) != kind(next) || at == name.len() {
+            words.extend(Some(&name[from..at]).filter(|_| c.is_alphanumeric()));
+            from = at;
+        }
+    }
+    words
+}
+
+/// Words in a name that do not say which input it is.
+const OF_ANY_INPUT: [&str; 13] =
+    ["vehicle", "vehicles", "veh", "car", "body", "v", "b", "contact", "contacts", "input", "model", "before", "initial"];
+
+/// What people call an input, and the last words of those that they may mean.
+const CALLED: &[(&str, &str)] = &[
+    ("cor", "restitution"),
+    ("coefficientofrestitution", "restitution"),
+    ("restitutioncoefficient", "restitution"),
+    ("fric", "friction"),
+    ("mufriction", "friction"),
+    ("frictioncoefficient", "friction"),
+    ("coefficientoffriction", "friction"),
+    ("ofcritical", "impulseratioofcritical"),
+    ("law", "tangentiallaw"),
+    ("normalangle", "crushplane"),
+    ("weight", "mass"),
+    ("w", "mass"),
+    ("w", "yawrate"),
+    ("yaw", "heading"),
+    ("yaw", "yawrate"),
+];
+
+/// Returns the inputs that some words name.
+fn named_like(words: &[&str]) -> Vec<Key> {
+    let letters = words.iter().map(|word| in_letters(word)).collect::<String>();
+    if let Some(parameter) = Parameter::named(&letters) {
+        return vec![Key::Parameter(parameter)];
+    }
+    let lower: Vec<String> = words.iter().map(|word| in_letters(word).to_ascii_lowercase()).collect();
+    let (sides, words): (Vec<&str>, Vec<&str>) = lower.iter().map(String::as_str).partition(|word| matches!(*word, "1" | "2"));
+    let own: String = words.iter().copied().filter(|word| !OF_ANY_INPUT.contains(word)).collect();
+    let own = if own.is_empty() { words.concat() } else { own };
+    // A letter alone is a symbol only of a vehicle.
+    if own.len() < 2 && sides.is_empty() {
+        return Vec::new();
+    }
+    let said: Vec<&str> = CALLED.iter().filter(|(called, _)| *called == own).map(|(_, meant)| *meant).chain([own.as_str()]).collect();
+    let joined = |name: &str| name.chars().filter(|c| c.is_alphabetic()).collect::<String>().to_ascii_lowercase();
+    let is_meant = |key: &Key| {
+        let name = key.to_string();
+        let of_vehicle = name.strip_prefix("vehicle.").and_then(|rest| rest.split_once('.'));
+        let is_of_side = match (&sides[..], of_vehicle) {
+            ([], _) => true,
+            ([side], Some((of, _))) => *side == of,
+            _ => false,
+        };
+        let last = of_vehicle.map_or_else(|| name.strip_prefix("contact.").unwrap_or(&name), |(_, last)| last);
+        let symbol = if let Key::Parameter(parameter) = key { parameter.symbol().map(joined) } else { None };
+        let is_symbol = symbol.as_deref() == Some(&own);
+        is_of_side && (said.contains(&joined(last).as_str()) || is_symbol)
     };
-    let lower = lower.trim_start_matches("input.");
-    let within = ["vehicle.1.", "vehicle.2.", "contact."].map(|of| format!("{of}{lower}"));
-    // Written with other signs between the words.
-    let joined = |name: &str| {
-        let letters: String = name.chars().filter(|c| c.is_alphanumeric()).collect();
-        letters.replace("vehicles", "vehicle").replace("contacts", "contact")
-    };
-    let own = joined(lower);
-    let of_symbol = [&in_letters(base), &own].into_iter().find_map(|symbol| Parameter::named(symbol)).map(Key::Parameter);
-    let of_prefix = ["veh", "car", "v", "b"].into_iter().filter_map(|word| own.strip_prefix(word)).map(|rest| format!("vehicle{rest}"));
-    let of_suffix = ["1", "2"].into_iter().filter_map(|side| Some(format!("vehicle{side}{}", own.strip_suffix(side)?)));
-    let spelled: Vec<String> = of_prefix.chain(of_suffix).chain([own.clone()]).collect();
-    let in_contact = joined(&within[2]);
-    let is_meant = |key: &str| within.iter().any(|name| name == key) || spelled.contains(&joined(key)) || joined(key) == in_contact;
-    known().filter(|key| of_symbol == Some(*key) || is_meant(&key.to_string())).collect()
+    known().filter(is_meant).collect()
 }
 
 /// Returns `true` for the name of what a case file has beside the collision, of which a table has nothing.

@@ -644,6 +644,60 @@ fn a_column_that_may_be_meant_as_an_input_is_named() {
             "rest.friction: the column `rest.friction` passes through unread; a table has inputs of the collision alone, which begin with `vehicle.` or `contact.`",
         ]
     );
+    let meant = |name: &str| super::column::meant_by(&Header::read(name)).join(" ");
+    for (name, input) in [
+        ("vx2", "vehicle.2.velocity.x"),
+        ("v1x [km/h]", "vehicle.1.velocity.x [km/h]"),
+        ("b2.before.vx", "vehicle.2.velocity.x"),
+        ("2.speed", "vehicle.2.speed"),
+        ("Speed 1 (mph)", "vehicle.1.speed [mph]"),
+        ("speed_1_kph", "vehicle.1.speed [kph]"),
+        ("V2_mph", "vehicle.2.speed [mph]"),
+        ("mass_lb_2", "vehicle.2.mass [lb]"),
+        ("W2 [lb]", "vehicle.2.mass [lb]"),
+        ("w2 [rad/s]", "vehicle.2.yaw_rate [rad/s]"),
+        ("w2", "vehicle.2.mass vehicle.2.yaw_rate"),
+        ("yaw1", "vehicle.1.heading vehicle.1.yaw_rate"),
+        ("car 1 yaw inertia", "vehicle.1.yaw_inertia"),
+        ("I_1", "vehicle.1.yaw_inertia"),
+        ("ω₂", "vehicle.2.yaw_rate"),
+        ("Γ [deg]", "contact.crush_plane [deg]"),
+        ("normal angle", "contact.crush_plane"),
+        ("COR", "contact.restitution"),
+        ("fric", "contact.friction"),
+        ("mu_friction", "contact.friction"),
+        ("of_critical", "contact.impulse_ratio.of_critical"),
+        ("law", "contact.tangential_law"),
+        ("barrier2", "vehicle.2.barrier"),
+    ] {
+        assert_eq!(meant(name), input, "{name}");
+    }
+    for own in [
+        "",
+        "x",
+        "left",
+        "2",
+        "v",
+        "car",
+        "m",
+        "w",
+        "weight of 3",
+        "site 1",
+        "speed 1 2",
+        "restitution 1",
+        "mass after 1",
+        "dV1",
+        "é1",
+        "1e5",
+    ] {
+        assert_eq!(meant(own), "", "{own}");
+    }
+    let pounds =
+        self::plan(&["vehicle.1.yaw_inertia [lb ft s^2]", "vehicle.1.mass [lb]"], Some(&case), &Options::default()).expect("a plan");
+    assert_eq!(
+        pounds.notices(None).iter().map(|notice| (notice.code, notice.path.as_str())).collect::<Vec<_>>(),
+        [("pound-force-assumed", "vehicle.1.yaw_inertia")]
+    );
     let refused = self::plan(&["vehicle.1.weight [lbf]"], Some(&case), &Options::default());
     let Err(refused) = refused else { panic!("a weight") };
     assert!(refused.to_string().contains("give the mass, as `vehicle.1.mass [kg]`"), "{refused}");

@@ -109,10 +109,7 @@ impl CaseReader {
         let mixed = self.numbers.borrow_mut().add(path, &quantity, kind);
         self.notices.borrow_mut().extend(Notice::unit_assumed(path, &quantity).into_iter().chain(mixed));
         let Quantity { si, unit, pound_force, .. } = quantity;
-        if pound_force {
-            let message = format!("{path}: `lb` is taken as the pound-force, lbf, because a force is meant");
-            self.notices.borrow_mut().push(Notice::note("pound-force-assumed", path, message));
-        }
+        self.notices.borrow_mut().extend(pound_force.then(|| Notice::pound_force_assumed(path)));
         match Units::of(&unit) {
             Some(Units::Us) => self.us.update(|count| count + 1),
             Some(_) => self.si.update(|count| count + 1),
