@@ -2,11 +2,12 @@
 
 use super::claimed_impulse;
 use super::claims::norm;
-use super::energy_loss::EnergyLoss;
+use super::energy_loss::{EnergyLoss, RelativeMotion};
 use super::format::Digits;
 use super::judge::{ENERGY, Judge, Residual, SPEED};
 use super::key::Key;
 use super::known::Known;
+use super::model::RatioKind;
 use super::momentum::number_of;
 use super::rule::Rule;
 use super::subject::When;
@@ -41,9 +42,17 @@ pub(super) fn claimed_moment_work<const N: usize>(known: &Known<'_, N>) -> Optio
     known.number(Key::MomentWork).or_else(implied)
 }
 
-/// Returns the work of the normal or of the tangential impulse that a loss, the reported work of the other and that of the moment leave.
-pub(super) fn rest_of_loss<const N: usize>(known: &Known<'_, N>, loss: Uncertain<N>, other: Key) -> Option<Uncertain<N>> {
-    Some(-(loss + known.number(other)? + claimed_moment_work(known)?))
+/// Returns the work of the normal or of the tangential impulse that a loss, the work of the other and that of the moment leave.
+pub(super) fn rest_of_loss<const N: usize>(known: &Known<'_, N>, loss: Uncertain<N>, other: Uncertain<N>) -> Option<Uncertain<N>> {
+    Some(-(loss + other + claimed_moment_work(known)?))
+}
+
+/// Returns the reported work of the tangential impulse; zero at an impulse ratio of zero.
+fn claimed_tangential_work<const N: usize>(known: &Known<'_, N>) -> Option<Uncertain<N>> {
+    let of_model = Some(Key::ImpulseRatio).filter(|_| matches!(known.record.model.ratio_kind, RatioKind::Given | RatioKind::Friction));
+    let is_zero = |key: Key| known.number(key).is_some_and(|number| number.is_zero());
+    let has_none = || is_zero(Key::ReportedRatio) || is_zero(Key::TangentialImpulse) || of_model.is_some_and(is_zero);
+    known.number(Key::TangentialWork).or_else(|| has_none().then(|| Uncertain::exact(0.0)))
 }
 
 /// The work of the normal impulse: the reported one, or that which the loss and the other works leave.
@@ -58,7 +67,7 @@ impl<const N: usize> NormalWork<N> {
     fn claimed(known: &Known<'_, N>) -> Option<Self> {
         let reported = known.number(Key::NormalWork).map(|work| NormalWork { work, words: "is said to be", scale: work.value.abs() });
         let rest = || {
-            let work = rest_of_loss(known, known.number(Key::EnergyLoss)?, Key::TangentialWork)?;
+            let work = rest_of_loss(known, known.number(Key::EnergyLoss)?, claimed_tangential_work(known)?)?;
             Some(NormalWork { work, words: "is by the loss and the other works", scale: available(known) })
         };
         reported.or_else(rest)
@@ -137,6 +146,7 @@ fn energies<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     least_energies(known, judge);
     fall_of_the_energy(known, judge);
     most_loss(known, judge);
+    most_impulse(known, judge);
 }
 
 /// Checks that two energies that are claimed are the same.
@@ -213,6 +223,24 @@ fn most_loss<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     });
 }
 
+/// Checks that no impulse of this magnitude P leaves more energy than there was: the relative speed after the impact is at least P / m̄ − v, so that
+/// P² / 2 m̄ − P v is at most what the bodies have as spin, less the loss. All motions tell the impulse itself.
+fn most_impulse<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
+    let before = RelativeMotion::of(&known.one, &known.two, When::Before).zip(EnergyLoss::most(&known.one, &known.two));
+    let (Some(impulse), Some((motion, all)), None) = (claimed_impulse::magnitude(known), before, known.impulse) else { return };
+    let speed = norm(motion.velocity);
+    let loss = claimed_loss(known).filter(|_| !known.wall_moves()).unwrap_or(Uncertain::exact(0.0));
+    let spins = all - motion.energy();
+    let (parting, meeting) = (impulse.squared().half() / motion.mass, impulse * speed);
+    let residual = Residual::new(parting - meeting + loss - spins, parting.size.max(meeting.size).max(loss.size).max(all.size));
+    judge.not_above(Rule::Reported, residual.beside(ENERGY), |size, bound| {
+        let (impulse, loss, size, bound) = (Digits(impulse.value), Digits(loss.value), Digits(size), Digits(bound));
+        format!(
+            "an impulse of {impulse} N s and a loss of {loss} J leave {size} J more than the motions before the impact have; {bound} may be"
+        )
+    });
+}
+
 /// Returns the mass of a body or, of a change of velocity that is no small part of the other's, the mass that has it by the impulse.
 fn mass<const N: usize>(known: &Known<'_, N>, side: Side, judge: &Judge) -> Option<Uncertain<N>> {
     /// Least share of a change of velocity in the other: a smaller one may be the difference of coarse speeds.
@@ -244,7 +272,7 @@ fn equivalent_energy_speeds<const N: usize>(known: &Known<'_, N>, judge: &mut Ju
     };
     let loss = sharper_known(claimed_loss(known), known.loss(), Uncertain::radius);
     let of_motion = known.touch.and_then(|touch| touch.work).map(|work| -work.n);
-    let of_works = || rest_of_loss(known, loss?, Key::TangentialWork).map(|work| -work);
+    let of_works = || rest_of_loss(known, loss?, claimed_tangential_work(known)?).map(|work| -work);
     let claimed = known.number(Key::NormalWork).map(|work| -work).or_else(of_works);
     let normal = sharper_known(claimed, of_motion, Uncertain::radius);
     let all = |side: Side| energy(side).or_else(|| known.subject(side).fixed.then(|| Uncertain::exact(0.0)));

@@ -55,13 +55,33 @@ fn energy_for<const N: usize>(
     Some(one.kinetic_energy(when, observer, spin)? + two.kinetic_energy(when, observer, spin)?)
 }
 
+/// Motion of one body past the other.
+pub(super) struct RelativeMotion<const N: usize> {
+    /// The reduced mass m₁ m₂ / (m₁ + m₂), the mass of the other body beside a fixed one.
+    pub(super) mass: Uncertain<N>,
+    /// Velocity of body 2 for an observer on body 1.
+    pub(super) velocity: Xy<Uncertain<N>>,
+}
+
+impl<const N: usize> RelativeMotion<N> {
+    pub(super) fn of(one: &Subject<N>, two: &Subject<N>, when: When) -> Option<Self> {
+        let velocity = |subject: &Subject<N>| if subject.fixed { subject.before } else { subject.velocity(when) };
+        let mass = match [one, two].map(|subject| subject.fixed) {
+            [true, _] => two.mass?,
+            [_, true] => one.mass?,
+            _ => one.mass? * two.mass? / (one.mass? + two.mass?),
+        };
+        Some(RelativeMotion { mass, velocity: velocity(two)? - velocity(one)? })
+    }
+
+    /// Returns its kinetic energy.
+    pub(super) fn energy(&self) -> Uncertain<N> {
+        self.mass * self.velocity.length_squared().half()
+    }
+}
+
 /// Returns the kinetic energy for an observer who moves with the center of mass of the pair or with the fixed body: by König's theorem that of the relative motion, and the spins.
 fn internal<const N: usize>(one: &Subject<N>, two: &Subject<N>, when: When, spin: bool) -> Option<Uncertain<N>> {
-    if let Some(wall) = [one, two].into_iter().find(|subject| subject.fixed) {
-        return energy_for(one, two, when, wall.before?, spin);
-    }
-    let (m1, m2) = (one.mass?, two.mass?);
-    let past = two.velocity(when)? - one.velocity(when)?;
     let spins = if spin { one.spin_energy(when)? + two.spin_energy(when)? } else { Uncertain::exact(0.0) };
-    Some(m1 * m2 / (m1 + m2) * past.length_squared().half() + spins)
+    Some(RelativeMotion::of(one, two, when)?.energy() + spins)
 }

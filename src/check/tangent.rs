@@ -221,7 +221,7 @@ fn reported_ratio<const N: usize>(known: &Known<'_, N>, judge: &Judge) -> Option
 
 /// Checks that without an impulse ratio there is no tangential impulse, and no work of one. With a normal impulse that is known they are compared themselves.
 fn no_tangential_impulse<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
-    let rest = || rest_of_loss(known, known.number(Key::EnergyLoss)?, Key::NormalWork);
+    let rest = || rest_of_loss(known, known.number(Key::EnergyLoss)?, known.number(Key::NormalWork)?);
     let (impulse, work) = (known.number(Key::TangentialImpulse), known.number(Key::TangentialWork).or_else(rest));
     let claims = [
         (impulse, "impulse", "N s", IMPULSE, known.beside.impulse),

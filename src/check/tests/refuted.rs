@@ -136,6 +136,67 @@ fn claims_of_nothing_are_held() {
     assert_eq!([9.0, 30.0].map(warned), [Verdict::Pass, Verdict::Warn]);
 }
 
+/// An elastic impact without tangential impulse loses nothing.
+#[test]
+fn a_loss_needs_a_work() {
+    let said = |kind, claims: &[(Key, f64)]| {
+        rules(&with(Record { model: Model { ratio_kind: kind, ..Model::default() }, ..Record::default() }, claims))
+    };
+    for (kind, key) in [
+        (RatioKind::Given, Key::ImpulseRatio),
+        (RatioKind::Friction, Key::ImpulseRatio),
+        (RatioKind::Critical, Key::ReportedRatio),
+        (RatioKind::Critical, Key::TangentialImpulse),
+    ] {
+        let lost = |e: f64, number: f64, loss: f64| said(kind, &[(Key::Restitution, e), (key, number), (Key::EnergyLoss, loss)]);
+        assert_eq!([lost(1.0, 0.0, 0.0), lost(1.0, 0.0, 500.0)], [vec![], vec!["reported"]], "{key}");
+        assert!([lost(0.9, 0.0, 500.0), lost(1.0, 0.1, 500.0)].concat().is_empty(), "{key}");
+        // 1000 N s at 5 and 1 m/s do 2 kJ.
+        let speeds = |loss: f64| {
+            let speeds = [(Key::NormalImpulse, 1000.0), (Key::ClosingSpeed, 5.0), (Key::SeparationSpeed, 1.0)];
+            said(kind, &[&speeds[..], &[(key, 0.0), (Key::EnergyLoss, loss)]].concat())
+        };
+        assert_eq!([2000.0, 2001.0, 1999.0].map(speeds), [vec![], vec!["reported"], vec!["reported"]], "{key}");
+    }
+    let of_critical = [(Key::Restitution, 1.0), (Key::ImpulseRatio, 0.0), (Key::EnergyLoss, 500.0)];
+    assert!(said(RatioKind::Critical, &of_critical).is_empty(), "the number of a critical ratio says nothing");
+}
+
+/// What a change of velocity leaves of the relative speed has at most the energy that there was: by Cauchy's inequality the two are equal where the impulse is
+/// along the relative velocity.
+#[test]
+fn an_impulse_is_at_most_that_of_the_energy() {
+    use Key::{BeforeX, BeforeY, BeforeYawRate, DeltaV, EnergyLoss, ImpulseMagnitude, Mass, YawInertia};
+    use Side::{One, Two};
+    // Reduced mass 1200 kg, and 5 m/s: 15 kJ; spins of 9 kJ and 0.
+    let bodies =
+        [(Mass(One), 2000.0), (BeforeX(One), 4.0), (BeforeY(One), 0.0), (Mass(Two), 3000.0), (BeforeX(Two), 1.0), (BeforeY(Two), 4.0)];
+    let spins = [(YawInertia(One), 2000.0), (BeforeYawRate(One), 3.0), (YawInertia(Two), 4000.0), (BeforeYawRate(Two), 0.0)];
+    let still = [(BeforeYawRate(One), 0.0), (BeforeYawRate(Two), 0.0)];
+    let said = |spins: &[(Key, f64)], claims: &[(Key, f64)]| rules(&with(with(Record::default(), &bodies), &[spins, claims].concat()));
+    let most = |all: f64, loss: f64| 1200.0 * (5.0 + (2.0 * (all - loss) / 1200.0).sqrt());
+    for loss in [0.0, 5e3, 15e3] {
+        for (spins, all) in [(&still[..], 15e3), (&spins[..], 24e3)] {
+            let of = |part: f64| {
+                let impulse = part * most(all, loss);
+                [(ImpulseMagnitude, impulse), (DeltaV(One), impulse / 2000.0), (DeltaV(Two), impulse / 3000.0)]
+                    .map(|claim| said(spins, &[claim, (EnergyLoss, loss)]))
+            };
+            assert!(of(1.0 - 1e-9).concat().is_empty(), "{loss} {all}");
+            assert_eq!(of(1.001), [vec!["reported"], vec!["reported"], vec!["reported"]], "{loss} {all}");
+        }
+    }
+    assert!(said(&[], &[(DeltaV(One), 20.0)]).is_empty(), "spins that are not known may have any energy");
+    // Beside a wall the reduced mass is that of the other body, and a wall that moves may give what is lost.
+    let beside = |speed: f64, impulse: f64, loss: f64| {
+        let wall = Subject { fixed: true, before: State { velocity: Some(Xy { x: speed, y: 0.0 }), yaw_rate: None }, ..Subject::default() };
+        let claims = [(Mass(One), 1000.0), (BeforeX(One), -10.0), (BeforeY(One), 0.0), (BeforeYawRate(One), 0.0)];
+        rules(&with(Record { two: wall, ..Record::default() }, &[&claims[..], &[(ImpulseMagnitude, impulse), (EnergyLoss, loss)]].concat()))
+    };
+    assert_eq!([beside(0.0, 20e3, 0.0), beside(0.0, 20.1e3, 0.0), beside(0.0, 18e3, 30e3)], [vec![], vec!["reported"], vec!["reported"]]);
+    assert_eq!([beside(5.0, 30e3, 0.0), beside(5.0, 30.1e3, 0.0), beside(5.0, 25e3, 60e3)], [vec![], vec!["reported"], vec![]]);
+}
+
 /// Bodies that stand after an impact without restitution have speeds that are the rounding of what they had before, which a record may leave out.
 #[test]
 fn what_stands_after_the_impact_is_rounding() {
