@@ -7,8 +7,6 @@ use super::rule::{Rule, Rules};
 use crate::input::Side;
 use alloc::vec::Vec;
 
-const SIDES: [Side; 2] = [Side::One, Side::Two];
-
 /// What an outcome remembers of its record: its numbers, its fixed bodies, and the rules that it calls for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Coverage {
@@ -27,7 +25,7 @@ impl Coverage {
         let mut called_for = Rules::default();
         Rule::ALL.into_iter().filter(|rule| calls_for(record, *rule)).for_each(|rule| called_for.insert(rule));
         let is_critical = record.model.ratio_kind == RatioKind::Critical;
-        Coverage { numbers, fixed: SIDES.map(|side| record.subject(side).fixed), is_critical, called_for }
+        Coverage { numbers, fixed: Side::ALL.map(|side| record.subject(side).fixed), is_critical, called_for }
     }
 
     fn has(&self, key: Key) -> bool {
@@ -42,7 +40,7 @@ impl Coverage {
 
     /// Returns the numbers that a rule needs and the record lacks.
     pub(super) fn missing(&self, rule: Rule) -> Vec<Key> {
-        let free = SIDES.into_iter().filter(|side| !self.fixed[*side as usize]);
+        let free = Side::ALL.into_iter().filter(|side| !self.fixed[*side as usize]);
         let of_bodies = free.flat_map(|side| of_each_body(rule).iter().map(move |key| key(side)));
         let of_pair = of_pair(rule).iter().copied().filter(|key| !(self.is_critical && *key == Key::ImpulseRatio));
         of_bodies.chain(of_pair).filter(|key| !self.has(*key)).collect()

@@ -65,19 +65,19 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     }
 }
 
-/// Holds what is reported against the motions that an impulse leads to, and these against the laws, of which the model is made itself.
+/// Holds what is reported against the motions that an impulse leads to, and these against the laws.
 fn hold<const N: usize>(source: Source, implied: &Known<'_, N>, impulse: Xy<Uncertain<N>>, judge: &mut Judge) {
     if let Some(share) = implied.touch.and_then(|touch| touch.wedging_share()) {
         judge.allow_for_wedging(share);
     }
     claims::check(implied, judge);
     claim_consistency::check(implied, judge);
-    // Those of the model agree with the spins that are given, or do not.
+    // Those of the model agree with the spins that are given, or do not; and a model may be one that no impact has.
     momentum::check(implied, judge);
+    normal::check(implied, judge);
+    tangent::check(implied, judge);
+    work::check(implied, judge);
     if source != Source::Model {
-        normal::check(implied, judge);
-        tangent::check(implied, judge);
-        work::check(implied, judge);
         Side::ALL.into_iter().for_each(|side| spin_alone(implied, side, impulse, judge));
     }
 }
@@ -131,6 +131,7 @@ fn spin_alone<const N: usize>(implied: &Known<'_, N>, side: Side, on_one: Xy<Unc
 fn of_model<const N: usize>(known: &Known<'_, N>, judge: &Judge) -> Option<Xy<Uncertain<N>>> {
     /// Share of K_nn + μ K_nt in its parts below which a pair nearly wedges, and rounding decides.
     const WEDGES: f64 = 0.05;
+    const PULLS: f64 = 0.01;
     let (meeting, plane, model) = (known.before?, known.plane.as_ref()?, &known.record.model);
     if known.after.is_some() {
         return None;
@@ -157,6 +158,7 @@ fn of_model<const N: usize>(known: &Known<'_, N>, judge: &Judge) -> Option<Xy<Un
         }
     };
     let ratio = impulse.t.value / impulse.n.value;
-    let is_clear = values(&meeting.bodies, &subjects)?.compliance.wedging_share(ratio) > WEDGES;
-    (is_clear && impulse.n.value * meeting.velocity.n.value > 0.0).then(|| plane.to_ground(impulse))
+    let share = values(&meeting.bodies, &subjects)?.compliance.wedging_share(ratio);
+    // Of an impulse that pulls the sum is negative, and the law that it breaks is clear.
+    (share > WEDGES || share < -PULLS).then(|| plane.to_ground(impulse))
 }

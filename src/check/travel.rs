@@ -36,14 +36,15 @@ impl Travel {
         let yaw_rate = |body: &Subject<N>, when| body.yaw_rate(when).map_or(0.0, |rate| rate.value.abs());
         let speed = |when| {
             let past = (values(two.velocity(when)?) - values(one.velocity(when)?)).length();
-            let turning = bodies.map(|body| yaw_rate(body, when) * body.arm.map_or(0.0, |arm| values(arm).length()));
+            let turning = bodies.map(|body| yaw_rate(body, when) * body.arm.or(body.arm_after).map_or(0.0, |arm| values(arm).length()));
             Some(past + turning[0] + turning[1])
         };
         // Without a relative velocity nothing bounds the change of the arms.
         let fastest = [When::Before, When::After].into_iter().filter_map(speed).reduce(f64::max).unwrap_or(f64::INFINITY);
         let by_duration = record.duration.map_or(0.0, |duration| product(duration, fastest));
+        let is_open = bodies.iter().any(|body| !body.fixed && body.arm.is_none());
         let unknown = match (record.point_after, is_placed) {
-            (Some(_), true) => 0.0,
+            (Some(_), true) if !is_open => 0.0,
             (None, true) => by_duration.max(displacement(one, two, record.duration)),
             _ => by_duration,
         };

@@ -63,6 +63,45 @@ fn the_model_leads_to_every_result() {
     assert!(not_checked.contains(&Rule::LinearMomentum) && !not_checked.contains(&Rule::Reported), "{not_checked:?}");
 }
 
+/// By hand: K_nt = −2 · 0.5/4000 and K_tt = 1/1000 + 1/2000 + 2²/2000 + 2²/4000, so that sliding ends at μ₀ = −K_nt/K_tt = 1/18.
+#[test]
+fn a_model_that_no_impact_has_is_refuted() {
+    let found = |kind, ratio| {
+        let mut record = before();
+        (record.model.ratio_kind, record.model.impulse_ratio) = (kind, Some(ratio));
+        rules(&record)
+    };
+    let critical = 1.0 / 18.0;
+    assert!([critical, critical * (1.0 + 1e-12)].into_iter().all(|ratio| found(RatioKind::Critical, ratio).is_empty()));
+    for wrong in [1.001 * critical, -critical, 0.5] {
+        assert_eq!(found(RatioKind::Critical, wrong), ["impulse-ratio"], "{wrong}");
+    }
+    assert!([0.0, 0.03, critical].into_iter().all(|ratio| found(RatioKind::Given, ratio).is_empty()));
+    for beyond in [1.001 * critical, -0.001] {
+        assert_eq!(found(RatioKind::Given, beyond), ["beyond-critical"], "{beyond}");
+    }
+    assert!(found(RatioKind::Given, 1.0).contains(&"energy-gain"));
+    // Two bodies whose impact would end sliding only if they pulled at each other.
+    let body = |x, y, velocity| Subject {
+        mass: Some(1500.0),
+        yaw_inertia: Some(2500.0),
+        center: Some(Xy { x, y }),
+        before: State { velocity: Some(velocity), yaw_rate: Some(0.0) },
+        ..Subject::default()
+    };
+    let record = Record {
+        one: body(-1.0, 1.5, Xy { x: 1.0, y: 0.0 }),
+        two: body(1.0, -1.5, Xy { x: 0.0, y: -20.0 }),
+        point: Some(Xy { x: 0.0, y: 0.0 }),
+        normal_angle: Some(0.0),
+        model: Model { restitution: Some(0.1), ratio_kind: RatioKind::Critical, ..Model::default() },
+        ..Record::default()
+    };
+    assert!(rules(&record).contains(&"compressive"), "{:?}", rules(&record));
+    let by_friction = Model { ratio_kind: RatioKind::Given, impulse_ratio: Some(0.1), ..record.model.clone() };
+    assert!(rules(&Record { model: by_friction, ..record }).is_empty());
+}
+
 /// By hand: the impulse passes the center of mass of body 1, and 0.5 m beside that of body 2: 0.5 · 14 080/4000 rad/s.
 #[test]
 fn the_model_leads_to_spins() {

@@ -75,6 +75,37 @@ fn the_velocities_at_a_long_contact_are_those_at_its_point_after() {
     assert!(restitution(&Record { duration: None, model: half.model, ..at_one_instant() }).is_empty());
 }
 
+/// A force of (165, −10) kN for 0.1 s, at a point that goes with the body from (−2, 0.5) to (−2.5, 0.3), by hand: its moment about the center of mass falls evenly
+/// from (−2)(−10) − 0.5 · 165 to (−2.05)(−10) − 0.0333 · 165 kN m. Where the place before is left out, it may be anywhere within the way of the body.
+#[test]
+fn a_place_that_is_left_out_of_a_long_contact_is_no_failure() {
+    let state = |x, y, yaw_rate| State { velocity: Some(Xy { x, y }), yaw_rate: Some(yaw_rate) };
+    let record = |point| Record {
+        one: Subject {
+            mass: Some(1500.0),
+            yaw_inertia: Some(2500.0),
+            center: Some(Xy { x: 0.0, y: 0.0 }),
+            center_after: Some(Xy { x: -0.45, y: 0.26666666666666666 }),
+            before: state(-10.0, 3.0, 0.0),
+            after: state(1.0, 7.0 / 3.0, -0.95),
+            ..Subject::default()
+        },
+        two: Subject::FIXED,
+        point,
+        point_after: Some(Xy { x: -2.5, y: 0.3 }),
+        normal_angle: Some(0.0),
+        duration: Some(0.1),
+        ..Record::default()
+    };
+    assert!(rules(&record(Some(Xy { x: -2.0, y: 0.5 }))).is_empty() && rules(&record(None)).is_empty());
+    let mut without_center = record(Some(Xy { x: -2.0, y: 0.5 }));
+    without_center.one.center = None;
+    assert!(rules(&without_center).is_empty());
+    // Of an instant the place after is the one before.
+    let instant = Record { duration: None, ..record(None) };
+    assert_eq!(rules(&instant), ["work-identity"]);
+}
+
 #[test]
 fn the_impulse_of_two_contact_points_acts_between_them() {
     // 1 kg hits a wall with 2 m/s and comes back with it: P = −4 N s, and −4 N s × y about the center of mass, −y from 0.5 to −0.5 m.
