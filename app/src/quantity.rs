@@ -190,6 +190,8 @@ pub struct Conversion {
     pub pound_force: bool,
 }
 
+const SECONDS_PER_HOUR: f64 = 3600.0;
+
 impl Conversion {
     /// Creates the conversion of a unit. `ft lb` means a mass times a length here; the energy is `ft lbf`.
     pub fn to(unit: &str) -> Conversion {
@@ -224,13 +226,14 @@ impl Conversion {
         if written.is_empty() {
             return Ok(Conversion::none());
         }
-        if written == "m/h" && kind.dimension == Kind::SPEED.dimension {
-            let message = format!("{} is in meters per hour, as no vehicle is", excerpt(text));
-            return Err(QuantityError::with_help(message, "write `mph` or `km/h`".to_owned()));
-        }
         let unit = Unit::parse_as(written, Some(kind.dimension))?;
         if unit.dimension() == kind.dimension {
-            return Ok(Conversion { size: Some(unit.size()), pound_force: false });
+            let conversion = Conversion { size: Some(unit.size()), pound_force: false };
+            if kind.dimension == Kind::SPEED.dimension && conversion.to_si(SECONDS_PER_HOUR) == 1.0 {
+                let message = format!("{} is in meters per hour, as no vehicle is", excerpt(text));
+                return Err(QuantityError::with_help(message, "write `mph` or `km/h`".to_owned()));
+            }
+            return Ok(conversion);
         }
         let forced = unit.with_pound_force();
         if forced.dimension() == kind.dimension {
@@ -277,7 +280,7 @@ fn beyond(text: &str, si: f64, kind: Kind) -> QuantityError {
     let size = if si.abs() < 1.0 { "too small" } else { "too large" };
     let message = format!("{} is {size} for {}", excerpt(text), kind.name);
     let is_of_map = kind.dimension == Kind::LENGTH.dimension && si.abs() > 1.0;
-    let help = "coordinates of a map must count from a point near the collision: subtract the same from all of them";
+    let help = "if it is a coordinate of a map, count from a point near the collision: subtract the same from all of them";
     if is_of_map { QuantityError::with_help(message, help.to_owned()) } else { QuantityError::new(message) }
 }
 

@@ -176,6 +176,16 @@ pub(crate) fn friction(ratio: &ImpulseRatio) -> Option<Notice> {
     (friction > FRICTION).then(|| Notice::warning("unusual-friction", "contact.friction", message()))
 }
 
+/// Of a ratio of measured impulses.
+pub(crate) fn impulse_ratio(path: &str, ratio: f64) -> Option<Notice> {
+    let message = || {
+        Message::from("no friction makes an impulse ratio of ")
+            .figure(Measure::Ratio, ratio)
+            .text("; check the units and calibrations of the channels")
+    };
+    (ratio.abs() > FRICTION).then(|| Notice::warning("unusual-friction", path, message()))
+}
+
 /// Of the friction between tires and ground.
 pub(crate) fn friction_of_tires(path: &str, friction: f64) -> Option<Notice> {
     let message = || Message::from("no tire has a friction of ").figure(Measure::Ratio, friction).text("; a share of 1 is expected");

@@ -223,7 +223,14 @@ fn domains() {
     assert_eq!(error("1e12 t", Kind::MASS), "`1e12 t` is too large for a mass");
     assert_eq!(error("1 mg", Kind::MASS), "`1 mg` is too small for a mass");
     assert_eq!(si("1000 m", Kind::LENGTH), Ok(1000.0));
-    assert!(error("1.001 km", Kind::LENGTH).starts_with("`1.001 km` is too large for a length (coordinates of a map"));
+    for unit in ["m/h", "m/hr", "m/hrs", "m/hour", "meters/hour", "m h^-1"] {
+        assert!(
+            error(&format!("40 {unit}"), Kind::SPEED).contains("in meters per hour, as no vehicle is (write `mph` or `km/h`)"),
+            "{unit}"
+        );
+    }
+    assert!(si("40 km/hr", Kind::SPEED).is_ok() && si("40 m/min", Kind::SPEED).is_ok());
+    assert!(error("1.001 km", Kind::LENGTH).starts_with("`1.001 km` is too large for a length (if it is a coordinate of a map"));
     assert!(error("1e308 km", Kind::LENGTH).starts_with("`1e308 km` is too large for a length"));
     assert_eq!(error("4500 km/s", Kind::SPEED), "`4500 km/s` is too large for a speed");
     assert_eq!(error("1e-323 mm", Kind::LENGTH), "`1e-323 mm` is too small for a length");

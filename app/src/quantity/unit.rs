@@ -270,8 +270,14 @@ const BRACKETS: [char; 7] = ['[', ']', '(', ')', '{', '}', ' '];
 /// Other signs of division and multiplication.
 const SIGNS: [(&[char], char); 2] = [(&['\u{2215}', '\u{2044}', '\u{f7}'], '/'), (&['\u{d7}', '\u{2219}', '\u{2022}', '.'], '*')];
 
-/// Returns a unit with the ordinary signs of division and multiplication, and a sign before each exponent, as `m*s^-1` of `m.s-1`.
+/// Returns a unit with the ordinary signs of division and multiplication, and a sign before each exponent, as `m*s^-1` of `m.s-1`, `mph` of `m.p.h.` and `feet/second` of
+/// `feet per second`.
 fn in_ordinary_signs(unit: &str) -> String {
+    let unit = &unit.trim_end_matches('.').replace(" per ", "/");
+    let without_points = unit.replace('.', "");
+    if without_points != *unit && find(&without_points).is_some() {
+        return without_points;
+    }
     let mut meant = String::new();
     let mut last = None::<char>;
     for (at, c) in unit.char_indices() {
@@ -324,8 +330,7 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
     if let Some(named) = singular.filter(|named| wanted == Some(Unit(vec![(*named, 2)]).dimension())) {
         return QuantityError::with_help(message, format!("did you mean `{}`?", named.symbol()));
     }
-    if let Some((one, other)) = run_together(name) {
-        let meant = if one == other { format!("{one}^2") } else { format!("{one} {other}") };
+    if let Some(meant) = run_together(name, unit, wanted) {
         return QuantityError::with_help(message, format!("did you mean `{meant}`?"));
     }
     if let Some(base) = name.strip_prefix('\u{221a}') {
@@ -353,9 +358,17 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
     }
 }
 
-/// Returns the two units that a name is without a space between them, such as `kgm`.
-fn run_together(name: &str) -> Option<(&str, &str)> {
-    name.char_indices().skip(1).map(|(place, _)| name.split_at(place)).find(|(one, other)| find(one).is_some() && find(other).is_some())
+/// Returns the two units that a name in a unit is without a space or a stroke between them, such as `kg m` of `kgm`, so that the whole measures what is wanted.
+fn run_together(name: &str, unit: &str, wanted: Option<Dimension>) -> Option<String> {
+    let pairs = name.char_indices().skip(1).map(|(place, _)| name.split_at(place));
+    let known = pairs.filter(|(one, other)| find(one).is_some() && find(other).is_some());
+    let mut ways =
+        known.flat_map(|(one, other)| [if one == other { format!("{one}^2") } else { format!("{one} {other}") }, format!("{one}/{other}")]);
+    let measures = |meant: &String| {
+        let whole = Unit::parse(&unit.replacen(name, meant, 1));
+        wanted.is_none_or(|wanted| whole.is_ok_and(|whole| whole.dimension() == wanted || whole.with_pound_force().dimension() == wanted))
+    };
+    ways.find(measures)
 }
 
 fn ambiguous(unit: &str) -> QuantityError {
@@ -419,6 +432,26 @@ mod tests {
         assert_eq!(message("furlong"), "unknown unit `furlong`");
         let meant = |text: &str, wanted: &str| Unit::parse_as(text, Some(dimension(wanted))).unwrap_err().to_string();
         assert_eq!(meant("kt", "m/s"), "unknown unit `kt` (did you mean `kn`?)");
+        for (typed, wanted, remedy) in [
+            ("mih", "m/s", "mi/h"),
+            ("fts", "m/s", "ft/s"),
+            ("kmhr", "m/s", "km/hr"),
+            ("m/ss", "m/s^2", "s^2"),
+            ("miles per hour", "m/s", "miles/hour"),
+            ("degrees per second", "rad/s", "degrees/second"),
+            ("m.p.h.", "m/s", "mph"),
+            ("lb.", "kg", "lb"),
+            ("deg.", "rad", "deg"),
+            ("kilogramms", "kg", "kilograms"),
+        ] {
+            let said = meant(typed, wanted);
+            assert!(said.contains(&format!("did you mean `{remedy}`?")), "{typed}: {said}");
+        }
+        // What two units make is proposed only if it is what is wanted.
+        for typed in ["mmph", "ftt/s"] {
+            let said = meant(typed, "m/s");
+            assert!(!said.contains("`m mph`") && !said.contains("`ft t`"), "{said}");
+        }
         assert_eq!(meant("kt/s", "m/s^2"), "unknown unit `kt` (did you mean `kg`?)");
         assert_eq!(message("Mg"), "unknown unit `Mg` (did you mean `tonne`?)");
         assert_eq!(message("ft//s"), "the name of a unit is missing in `ft//s`");

@@ -313,6 +313,7 @@ impl Analysis<'_> {
                 self.issues.push(Issue::at("overflow", "window", "the impulse ratio overflows: the normal impulse is next to zero"));
                 return None;
             }
+            self.notices.extend(unusual::impulse_ratio("window", ratio.value));
             Some(Uncertain::of(ratio, n.is_known && t.is_known))
         });
         if normal.is_none() && tangential.is_none() {

@@ -124,6 +124,18 @@ fn the_page_has_the_standard_deviation_of_each_number() {
     }
 }
 
+/// Forces of 100 kN and, a thousand times too large, of 30 MN; of 250 kN, which is 2.5 times as much, they may be meant.
+#[test]
+fn an_impossible_impulse_ratio_is_a_warning() {
+    let warned = |tangential: f64| {
+        let samples = csv("normal_force [kN],tangential_force [kN]", &[&|ms| 100.0 * pulse(ms), &|ms| tangential * pulse(ms)]);
+        let (record, run) = record_of(&samples, None);
+        close(&record["barrier"]["impulse_ratio"]["value"], tangential / 100.0, 1e-6);
+        run.out.contains("no friction makes an impulse ratio of")
+    };
+    assert_eq!([30.0, 250.0, -310.0, 3e4].map(warned), [false, false, true, true]);
+}
+
 /// By hand: a test of 1500 kg at 5 m/s with an impulse of 250 kN · 2 T/π leaves faster than it came.
 #[test]
 fn an_impossible_restitution_is_a_warning() {
