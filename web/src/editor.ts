@@ -5,7 +5,7 @@ import { HighlightStyle, StreamLanguage, syntaxHighlighting } from "@codemirror/
 import { toml } from "@codemirror/legacy-modes/mode/toml";
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
 import { searchKeymap } from "@codemirror/search";
-import { EditorState, StateEffect, StateField, Transaction } from "@codemirror/state";
+import { Annotation, EditorState, StateEffect, StateField, Transaction } from "@codemirror/state";
 import { EditorView, drawSelection, highlightActiveLine, hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import type { Change, Issue, Opened, Source } from "./engine";
@@ -39,12 +39,15 @@ const source = StateField.define<Source>({
   update: (was, { effects }) => effects.reduce((now, effect) => (effect.is(opened) ? effect.value : now), was),
 });
 
+/** Marks an edit of the form or of the drawing; `true` within a drag, whose edits are one step of the history. */
+const drawn = Annotation.define<boolean>();
+
 export class Editor {
   readonly view: EditorView;
   private isMarked = false;
-  private before: { text: string; scroll: number } | null = null;
+  private held: { before: EditorState; time: number } | null = null;
 
-  constructor(place: HTMLElement, first: Opened, schema: () => Promise<CaseSchema>, changed: (byHand: boolean) => void, replaced: () => void) {
+  constructor(place: HTMLElement, first: Opened, schema: () => Promise<CaseSchema>, private readonly changed: (byHand: boolean) => void, replaced: () => void) {
     const lines = (state: EditorState) => (number: number) => state.doc.line(number).text;
     const complete = async (context: CompletionContext): Promise<CompletionResult | null> => {
       const line = context.state.doc.lineAt(context.pos);
@@ -91,7 +94,7 @@ export class Editor {
           invertedEffects.of(({ effects, startState }) => (effects.some((effect) => effect.is(opened)) ? [opened.of(startState.field(source))] : [])),
           lineNumbers(),
           lintGutter(),
-          history(),
+          history({ joinToEvent: (transaction, isAdjacent) => isAdjacent || transaction.annotation(drawn) === true }),
           drawSelection(),
           highlightActiveLine(),
           closeBrackets(),
@@ -105,7 +108,7 @@ export class Editor {
           colors,
           EditorView.updateListener.of((update) => {
             if (update.state.field(source) !== update.startState.field(source)) replaced();
-            if (update.docChanged) changed(!update.transactions.every((transaction) => transaction.isUserEvent("drag")));
+            if (update.docChanged) changed(update.transactions.some((transaction) => transaction.annotation(drawn) === undefined));
           }),
         ],
       }),
@@ -124,37 +127,38 @@ export class Editor {
 
   /** Replaces the whole text and what it belongs to, as one step that can be undone. */
   replace({ name, files, text }: Opened): void {
+    this.end();
     const changes = { from: 0, to: this.view.state.doc.length, insert: text };
     this.view.dispatch({ changes, effects: opened.of({ name, files }), annotations: isolateHistory.of("full") });
   }
 
-  /** Applies an edit of the form or of the drawing, as one step that can be undone. */
+  /** Applies an edit of the form or of the drawing: as one step that can be undone, or as a part of that of a drag. */
   apply(changes: Change[]): void {
-    if (this.before) {
-      this.view.dispatch({ changes, annotations: [Transaction.addToHistory.of(false), Transaction.userEvent.of("drag")] });
-    } else {
-      this.view.dispatch({ changes, annotations: [isolateHistory.of("full"), Transaction.userEvent.of("drag")] });
-    }
+    // The history joins edits that come soon after one another: those of a drag have one time, however long it is held.
+    const how = this.held ? Transaction.time.of(this.held.time) : isolateHistory.of("full");
+    this.view.dispatch({ changes, annotations: [drawn.of(this.held !== null), how] });
   }
 
   /** Begins a drag: its edits are one step. */
   begin(): void {
-    this.before ??= { text: this.text, scroll: this.view.scrollDOM.scrollTop };
+    if (this.held) return;
+    this.isolate();
+    this.held = { before: this.view.state, time: Date.now() };
   }
 
   end(): void {
-    const { before } = this;
-    this.before = null;
-    const after = this.text;
-    if (!before || before.text === after) return;
-    // The smallest range that differs, so that the step keeps the rest, and the cursor.
-    let from = 0;
-    while (from < Math.min(after.length, before.text.length) && after[from] === before.text[from]) from++;
-    let tail = 0;
-    while (tail < Math.min(after.length, before.text.length) - from && after.at(-1 - tail) === before.text.at(-1 - tail)) tail++;
-    const [was, is] = [before.text, after].map((text) => text.slice(from, text.length - tail));
-    this.view.dispatch({ changes: { from, to: from + is!.length, insert: was! }, annotations: [Transaction.addToHistory.of(false), Transaction.userEvent.of("drag")] });
-    this.view.dispatch({ changes: { from, to: from + was!.length, insert: is! }, annotations: [isolateHistory.of("full"), Transaction.userEvent.of("drag")] });
+    const { held } = this;
+    this.held = null;
+    if (!held || held.before.doc === this.view.state.doc) return;
+    if (!held.before.doc.eq(this.view.state.doc)) return this.isolate();
+    // A drag that leads back to where it has begun is no step.
+    this.view.setState(held.before);
+    this.changed(false);
+  }
+
+  /** Keeps the last step of the history apart from the next one. */
+  private isolate(): void {
+    this.view.dispatch({ annotations: isolateHistory.of("full") });
   }
 
   undo(): void {

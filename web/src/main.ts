@@ -162,6 +162,8 @@ function take(opened: Opened): void {
 
 /** Another case has taken the place of the text, or the one before it again. */
 function replaced(): void {
+  // A handle that is still held moves nothing of the other case.
+  scene.letGo();
   background.cancel();
   answers.clear();
   state.took = null;

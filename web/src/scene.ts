@@ -202,7 +202,8 @@ export class Scene {
     this.move(handle.drag(handles, pointer, minus(pointer, start)));
   }
 
-  private letGo(): void {
+  /** Ends a drag. */
+  letGo(): void {
     if (!this.held) return;
     this.held = null;
     this.edit.end();

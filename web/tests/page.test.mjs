@@ -237,6 +237,93 @@ describe("the scene", () => {
     });
   });
 
+  test("each drag is one step, whatever steps there are before it", async () => {
+    await visit(async (page) => {
+      const slide = async (from, to) => {
+        const box = await page.locator("#gamma").boundingBox();
+        const at = (share) => [box.x + share * box.width, box.y + box.height / 2];
+        await page.mouse.move(...at(from));
+        await page.mouse.down();
+        await page.mouse.move(...at(to), { steps: 4 });
+        await page.mouse.up();
+      };
+      const typed = async () => {
+        await page.locator('[data-path="vehicle.1.speed"]').fill("50 ft/s");
+        await page.locator('[data-path="vehicle.1.speed"]').press("Enter");
+      };
+      const faster = () => pull(page, "vehicle.1.velocity", [-20, 0]);
+      const acts = [faster, faster, typed, faster, () => slide(0.5, 0.55), () => slide(0.55, 0.57), () => page.selectOption("#examples", "position-c.toml"), faster];
+      const texts = [await text(page)];
+      for (const act of acts) {
+        await settled(page, act);
+        texts.push(await text(page));
+      }
+      assert.equal(new Set(texts).size, texts.length);
+      for (const expected of texts.slice(0, -1).reverse()) {
+        await settled(page, () => page.click("#undo"));
+        same(await text(page), expected, "undo");
+      }
+      assert.ok(await page.isDisabled("#undo"));
+      for (const expected of texts.slice(1)) {
+        await settled(page, () => page.click("#redo"));
+        same(await text(page), expected, "redo");
+      }
+    });
+  });
+
+  /** Takes hold of a handle; what is returned moves it on, and waits for the frame. */
+  async function grip(page, key) {
+    const box = await handle(page, key).locator(".dot").boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    return (down) => settled(page, () => page.mouse.move(x, y + down, { steps: 4 }));
+  }
+
+  test("a drag that is held for long is one step, and none if it leads back", async () => {
+    await visit(async (page) => {
+      const before = await text(page);
+      let move = await grip(page, "vehicle.2.velocity");
+      await move(-20);
+      await page.waitForTimeout(700);
+      await move(-40);
+      await page.mouse.up();
+      await settled(page, () => page.click("#undo"));
+      assert.equal(await text(page), before);
+      move = await grip(page, "vehicle.2.velocity");
+      await move(-20);
+      await move(0);
+      await settled(page, () => page.mouse.up());
+      assert.equal(await text(page), before);
+      assert.ok(await page.isDisabled("#undo"));
+      await settled(page, () => page.click("#redo"));
+      assert.notEqual(await text(page), before);
+      // The editor itself goes on.
+      await settled(page, () => type(page, before));
+      assert.equal(await text(page), before);
+    });
+  });
+
+  test("another case ends the drag that is held", async () => {
+    await visit(async (page) => {
+      await settled(page, () => page.click("#tour-start"));
+      const first = await text(page);
+      const move = await grip(page, "contact.crush_plane");
+      await move(-30);
+      await settled(page, () => page.locator("#tour-next").press("Enter"));
+      await page.mouse.move(700, 300, { steps: 4 });
+      await page.mouse.up();
+      assert.match(await text(page), /of_critical = 1/);
+      assert.equal(degrees(await text(page)), 0);
+      await settled(page, () => page.click("#undo"));
+      const dragged = await text(page);
+      assert.ok(degrees(dragged) > 5);
+      assert.equal(dragged.replace(/^crush_plane = .*$/m, 'crush_plane = "0 deg"'), first);
+      await settled(page, () => page.click("#undo"));
+      assert.equal(await text(page), first);
+    });
+  });
+
   test("the pointer and the tip of the normal stay together", async () => {
     await visit(async (page) => {
       const tipAtFirst = await handle(page, "contact.crush_plane").locator(".dot").boundingBox();
