@@ -32,10 +32,29 @@ const highlighting = HighlightStyle.define([
   { tag: [tags.propertyName, tags.definition(tags.propertyName)], color: "var(--key)" },
 ]);
 
-const opened = StateEffect.define<Source>();
+/** A case as it was opened. */
+interface Original extends Source {
+  /** The mark before its text; empty if there is none. */
+  mark: string;
+  text: string;
+  /** The text as the editor has it. */
+  shown: string;
+  /** What ends the lines of an edited text: what ends all of its own, if they agree. */
+  end: string;
+}
 
-const source = StateField.define<Source>({
-  create: () => ({ name: "", files: {} }),
+function original({ name, files, text }: Opened): Original {
+  const mark = text.startsWith("\ufeff") ? "\ufeff" : "";
+  const rest = text.slice(mark.length);
+  const shown = rest.replace(/\r\n?/g, "\n");
+  const isWindows = rest !== shown && shown.replaceAll("\n", "\r\n") === rest;
+  return { name, files, mark, text: rest, shown, end: isWindows ? "\r\n" : "\n" };
+}
+
+const opened = StateEffect.define<Original>();
+
+const source = StateField.define<Original>({
+  create: () => original({ name: "", files: {}, text: "" }),
   update: (was, { effects }) => effects.reduce((now, effect) => (effect.is(opened) ? effect.value : now), was),
 });
 
@@ -87,9 +106,9 @@ export class Editor {
       root,
       parent: root,
       state: EditorState.create({
-        doc: first.text,
+        doc: original(first).shown,
         extensions: [
-          source.init(() => first),
+          source.init(() => original(first)),
           // A step back to another case is one to its name and files.
           invertedEffects.of(({ effects, startState }) => (effects.some((effect) => effect.is(opened)) ? [opened.of(startState.field(source))] : [])),
           lineNumbers(),
@@ -117,23 +136,40 @@ export class Editor {
     this.view.scrollDOM.tabIndex = 0;
   }
 
+  /** The text as the engine reads it: exactly as it was opened until it is edited, then with the ends of its lines. */
   get text(): string {
-    return this.view.state.doc.toString();
+    const { text, shown, end } = this.source;
+    const now = this.view.state.doc.toString();
+    return now === shown ? text : now.replaceAll("\n", end);
   }
 
-  get source(): Source {
+  /** The text with the mark before it, as its file has it. */
+  get file(): string {
+    return this.source.mark + this.text;
+  }
+
+  get source(): Original {
     return this.view.state.field(source);
   }
 
+  /** The place in the editor of a place in the text: an end of a line is one character in the editor. */
+  private at(offset: number): number {
+    const { text, shown } = this.source;
+    const ends = text.length === shown.length ? 0 : this.text.slice(0, offset + 1).split("\r\n").length - 1;
+    return Math.min(offset - ends, this.view.state.doc.length);
+  }
+
   /** Replaces the whole text and what it belongs to, as one step that can be undone. */
-  replace({ name, files, text }: Opened): void {
+  replace(by: Opened): void {
     this.end();
-    const changes = { from: 0, to: this.view.state.doc.length, insert: text };
-    this.view.dispatch({ changes, effects: opened.of({ name, files }), annotations: isolateHistory.of("full") });
+    const now = original(by);
+    const changes = { from: 0, to: this.view.state.doc.length, insert: now.shown };
+    this.view.dispatch({ changes, effects: opened.of(now), annotations: isolateHistory.of("full") });
   }
 
   /** Applies an edit of the form or of the drawing: as one step that can be undone, or as a part of that of a drag. */
-  apply(changes: Change[]): void {
+  apply(edits: Change[]): void {
+    const changes = edits.map(({ from, to, insert }) => ({ from: this.at(from), to: this.at(to), insert }));
     // The history joins edits that come soon after one another: those of a drag have one time, however long it is held.
     const how = this.held ? Transaction.time.of(this.held.time) : isolateHistory.of("full");
     this.view.dispatch({ changes, annotations: [drawn.of(this.held !== null), how] });
@@ -176,18 +212,17 @@ export class Editor {
   mark(name: string, issues: Issue[]): void {
     if (issues.length === 0 && !this.isMarked) return;
     this.isMarked = issues.length > 0;
-    const end = this.view.state.doc.length;
-    const at = ({ from, to, file, path, message, help }: Issue): Diagnostic => {
+    const diagnostic = ({ from, to, file, path, message, help }: Issue): Diagnostic => {
       const isHere = file === name && from !== null && to !== null;
       const text = `${path === "" ? "" : `${path}: `}${message}${help === null ? "" : `\n${help}`}`;
-      return { from: isHere ? Math.min(from, end) : 0, to: isHere ? Math.min(to, end) : 0, severity: "error", message: text };
+      return { from: isHere ? this.at(from) : 0, to: isHere ? this.at(to) : 0, severity: "error", message: text };
     };
-    this.view.dispatch(setDiagnostics(this.view.state, issues.map(at)));
+    this.view.dispatch(setDiagnostics(this.view.state, issues.map(diagnostic)));
   }
 
   /** Moves the cursor to an issue. */
   goTo(offset: number): void {
-    this.view.dispatch({ selection: { anchor: Math.min(offset, this.view.state.doc.length) }, scrollIntoView: true });
+    this.view.dispatch({ selection: { anchor: this.at(offset) }, scrollIntoView: true });
     this.view.focus();
   }
 }

@@ -13,10 +13,10 @@ export function save(name: string, content: BlobPart, type: string): void {
 /** Largest file that is read as a case. */
 const LARGEST = 4 << 20;
 
-/** The text of a file, whose bytes a text may not lose. */
+/** The text of a file, whose bytes a text may not lose; a mark before it stays, for the file that is saved. */
 function decoded(name: string, bytes: ArrayBuffer): string {
   try {
-    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+    return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes);
   } catch {
     throw new Error(`${name} is not UTF-8 text; save it as UTF-8`);
   }

@@ -41,7 +41,10 @@ let answers: Answers;
 const background = new Lane("frame", PATIENCE);
 const drawer = new Lane("verbs", 60_000);
 
-const current = (): Case => ({ ...editor.source, text: editor.text, units: state.units });
+const current = (): Case => {
+  const { name, files } = editor.source;
+  return { name, text: editor.text, files, units: state.units };
+};
 
 function say(text: string, isError = false): void {
   const place = $("message");
@@ -297,11 +300,11 @@ function wire(): void {
   });
   $("save").addEventListener("click", () => {
     const ending = /\.(toml|json)$/.exec(editor.source.name)?.[0] ?? ".toml";
-    files.save(`${base()}${ending}`, editor.text, "text/plain");
+    files.save(`${base()}${ending}`, editor.file, "text/plain");
   });
   $("share").addEventListener("click", async () => {
     try {
-      history.replaceState(null, "", await share.pack({ ...editor.source, text: editor.text }));
+      history.replaceState(null, "", await share.pack({ ...editor.source, text: editor.file }));
       await navigator.clipboard?.writeText(location.href).catch(() => {});
       say("The address of this page now has the case in it. It stays on this machine until you send it.");
     } catch (error) {

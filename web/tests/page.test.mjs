@@ -1,5 +1,6 @@
 // The page in Debian's Chromium: loads, answers, drags, edits, exports, shares; and what a hostile case does to it.
 import assert from "node:assert/strict";
+import { createHash } from "node:crypto";
 import { appendFileSync, cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -187,6 +188,44 @@ describe("the page", () => {
       await page.setInputFiles("#open", [{ name: "latin1.toml", mimeType: "application/toml", buffer: latin }]);
       await page.waitForFunction(() => document.querySelector("#message").textContent.includes("latin1.toml is not UTF-8 text"));
       assert.equal(await text(page), before);
+    });
+  });
+
+  test("a file is kept with its ends of lines and its mark, in what is saved, shared and reported", async () => {
+    const lines = examples.find(({ path }) => path === "position-a.toml").text;
+    const windows = lines.replaceAll("\n", "\r\n");
+    const take = (page, source) => settled(page, () => page.setInputFiles("#open", { name: "a.toml", mimeType: "text/plain", buffer: Buffer.from(source) }));
+    await visit(async (page) => {
+      for (const source of [windows, `\ufeff${windows}`, windows.replace("\r\n", "\n")]) {
+        await take(page, source);
+        assert.equal(await text(page), source);
+        // The engine reads no mark.
+        const hash = createHash("sha256").update(source.replace("\ufeff", "")).digest("hex");
+        assert.ok((await exported(page, "report")).bytes.toString().includes(hash));
+      }
+      await take(page, `\ufeff${windows}`);
+      await page.click("#share");
+      await page.waitForFunction(() => location.hash.startsWith("#2."));
+      const fragment = await page.evaluate(() => location.hash);
+      await visit(async (other) => {
+        await other.waitForFunction(() => document.documentElement.dataset.ready === "true");
+        assert.equal(await text(other), `\ufeff${windows}`);
+      }, { fragment });
+      // An edit changes its value alone, and its place is found.
+      await settled(page, () => page.locator("#restitution").fill("0.12"));
+      assert.equal(await text(page), `\ufeff${windows.replace("restitution = 0", "restitution = 0.12")}`);
+      await settled(page, () => page.locator("#gamma").fill("3"));
+      assert.equal(await text(page), `\ufeff${windows.replace("restitution = 0", "restitution = 0.12").replace('"0 deg"', '"3 deg"')}`);
+      await take(page, windows.replace('"180 deg"', '"180 ft"'));
+      await page.waitForSelector("#editor .cm-lintRange-error");
+      assert.deepEqual(await page.locator("#editor .cm-lintRange-error").allInnerTexts(), ['"180 ft"']);
+      await page.locator("#issues button").first().click();
+      assert.match(await page.locator("#editor .cm-activeLine").innerText(), /180 ft/);
+      // What the command line refuses is not mended without a word.
+      const old = lines.replaceAll("\n", "\r");
+      await take(page, old);
+      await page.waitForSelector(".issues li");
+      assert.equal(await text(page), old);
     });
   });
 
