@@ -1,5 +1,6 @@
 // The answers of the verbs: a tab for each, computed in a worker, always about the text as it is.
-import { isSame, sentence, type Case, type Frame, type Issue, type Reply } from "./engine";
+import { failure, isSame, sentence, type Case, type Frame, type Issue, type Reply } from "./engine";
+import { bytesOf } from "./files";
 import { Lane } from "./jobs";
 import { fill, show } from "./morph";
 
@@ -225,8 +226,17 @@ export class Answers {
   /** Checks the records of a file. */
   async check(file: File): Promise<void> {
     if (this.verb.name !== "check") this.choose("check");
-    this.dropped = { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
-    await this.run();
+    this.clear();
+    this.dropped = null;
+    const { question } = this;
+    try {
+      const bytes = new Uint8Array(await bytesOf(file));
+      if (question !== this.question) return;
+      this.dropped = { name: file.name, bytes };
+      await this.run();
+    } catch (error) {
+      if (question === this.question) this.status.textContent = `No answer: ${failure(error)}`;
+    }
   }
 
   /** The text has changed, and its frame with it. */
@@ -342,7 +352,7 @@ export class Answers {
       if (question !== this.question) return;
       this.busy(false);
       fill(this.result);
-      this.status.textContent = `No answer: ${error instanceof Error ? error.message : String(error)}`;
+      this.status.textContent = `No answer: ${failure(error)}`;
     }
   }
 

@@ -34,6 +34,8 @@ export interface Issue {
 /** An issue in a sentence, with the remedy. */
 export const sentence = ({ path, message, help }: Issue): string => `${path === "" ? "" : `${path}: `}${message}${help === null ? "" : ` (${help})`}`;
 
+export const failure = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
 export interface Change {
   from: number;
   to: number;

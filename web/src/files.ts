@@ -13,6 +13,15 @@ export function save(name: string, content: BlobPart, type: string): void {
 /** Largest file that is read as a case. */
 const LARGEST = 4 << 20;
 
+/** The bytes of a file. A folder that is dropped is a file without any. */
+export async function bytesOf(file: File): Promise<ArrayBuffer> {
+  try {
+    return await file.arrayBuffer();
+  } catch {
+    throw new Error(`${file.name} cannot be read: it is a folder, no longer in its place, or not yours to read`);
+  }
+}
+
 /** The text of a file, whose bytes a text may not lose; a mark before it stays, for the file that is saved. */
 function decoded(name: string, bytes: ArrayBuffer): string {
   try {
@@ -26,7 +35,7 @@ function decoded(name: string, bytes: ArrayBuffer): string {
 export async function open(list: File[]): Promise<Opened> {
   const read = await Promise.all(list.map(async (file) => {
     if (file.size > LARGEST) throw new Error(`${file.name} is larger than ${LARGEST >> 20} MiB, which no case file is`);
-    return { name: file.name, text: decoded(file.name, await file.arrayBuffer()) };
+    return { name: file.name, text: decoded(file.name, await bytesOf(file)) };
   }));
   const twice = read.find(({ name }, at) => read.findIndex((other) => other.name === name) < at);
   if (twice) throw new Error(`two files have the name ${twice.name}, by which a case would name both`);

@@ -1,7 +1,7 @@
 // The page: one text, and everything else made from it.
 import { Answers, issueList } from "./answers";
 import { Editor } from "./editor";
-import { compile, isSame, sentence, type Case, type Change, type Frame, type Issue, type Opened, type Reply } from "./engine";
+import { compile, failure, isSame, sentence, type Case, type Change, type Frame, type Issue, type Opened, type Reply } from "./engine";
 import * as files from "./files";
 import { Form } from "./form";
 import * as engine from "./frame";
@@ -52,8 +52,6 @@ function say(text: string, isError = false): void {
   place.classList.toggle("error", isError);
   place.hidden = text === "";
 }
-
-const failure = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
 let scheduled = 0;
 let byHand = false;

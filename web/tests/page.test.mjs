@@ -692,6 +692,26 @@ describe("long verbs", () => {
     });
   });
 
+  test("a folder that is dropped is named as unreadable, in every tab", async () => {
+    await visit(async (page) => {
+      const devtools = await page.context().newCDPSession(page);
+      const drop = async (...files) => {
+        for (const type of ["dragEnter", "dragOver", "drop"]) {
+          await devtools.send("Input.dispatchDragEvent", { type, x: 300, y: 300, data: { items: [], files, dragOperationsMask: 1 } });
+        }
+      };
+      const folder = join(root, "cli/examples");
+      await drop(folder);
+      await page.waitForFunction(() => document.querySelector("#message").textContent.startsWith("examples cannot be read"));
+      await page.click("#tab-check");
+      await drop(join(folder, "check/paper-table-2.csv"));
+      await page.waitForSelector("#result table");
+      await drop(folder);
+      await page.waitForFunction(() => document.querySelector(".status").textContent.startsWith("No answer: examples cannot be read"));
+      assert.equal(await page.locator("#result table").count(), 0);
+    });
+  });
+
   test("records that are dropped are checked as by the command line", async () => {
     await visit(async (page) => {
       await page.click("#tab-check");
