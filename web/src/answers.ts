@@ -300,7 +300,7 @@ export class Answers {
           methods: this.inputs.get("bounds")?.checked ? [] : LIVE_METHODS,
         };
       case "formula":
-        return { output: text("output"), wrt: list("wrt") };
+        return { output: text("output"), wrt: [text("wrt")].filter((name) => name !== "") };
       default:
         return {};
     }

@@ -712,6 +712,17 @@ describe("long verbs", () => {
     });
   });
 
+  test("a formula has one derivative, and a list of them is refused", async () => {
+    await visit(async (page) => {
+      await page.click("#tab-formula");
+      await page.waitForSelector("#result math");
+      await page.locator(".options input").nth(1).fill("Gamma, e");
+      await page.locator(".options input").nth(1).press("Enter");
+      await page.waitForFunction(() => document.querySelector("#result").innerText.includes("no input has the name `Gamma, e`"));
+      assert.equal(await page.locator("#result math").count(), 0);
+    });
+  });
+
   test("records that are dropped are checked as by the command line", async () => {
     await visit(async (page) => {
       await page.click("#tab-check");
