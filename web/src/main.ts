@@ -185,13 +185,15 @@ async function openFiles(chosen: File[]): Promise<void> {
 }
 
 async function readFragment(): Promise<void> {
+  const fragment = location.hash;
+  // What was said may have been of the address before.
+  say("");
   try {
-    const fragment = location.hash;
     const shared = await share.unpack(fragment);
     // Another address, or another case, may have come first.
     if (shared && fragment === location.hash) editor.replace(shared);
   } catch (error) {
-    say(`This address cannot be opened: ${failure(error)}.`, true);
+    if (fragment === location.hash) say(`This address cannot be opened: ${failure(error)}.`, true);
   }
 }
 

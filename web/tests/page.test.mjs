@@ -763,6 +763,14 @@ describe("an address with a case", () => {
     "of other types": packed('[1,2,{}]'),
     "a bomb": packed(JSON.stringify(["a.toml", "x".repeat(40 << 20), {}])),
   };
+  test("says nothing of an address that is gone", async () => {
+    await visit(async (page) => {
+      await page.waitForFunction(() => document.querySelector("#message").textContent.includes("This address cannot be opened"));
+      await page.evaluate(() => (location.hash = ""));
+      await page.waitForFunction(() => document.querySelector("#message").hidden);
+    }, { fragment: "#nothing" });
+  });
+
   for (const [name, fragment] of Object.entries(hostile)) {
     test(`is refused: ${name}`, async () => {
       await visit(async (page) => {
