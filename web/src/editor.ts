@@ -148,6 +148,10 @@ export class Editor {
     return this.source.mark + this.text;
   }
 
+  get isEdited(): boolean {
+    return this.view.state.doc.toString() !== this.source.shown;
+  }
+
   get source(): Original {
     return this.view.state.field(source);
   }

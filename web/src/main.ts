@@ -32,6 +32,9 @@ const state = {
   took: null as number | null,
   /** Whether the drawings are still those of another case. */
   isOfAnother: false,
+  /** The texts that were last saved, and last shared or opened from the address. */
+  saved: null as string | null,
+  addressed: null as string | null,
 };
 
 let editor: Editor;
@@ -155,11 +158,25 @@ function slider(id: string, input: string, toSi: number, resolution: number): vo
   control.addEventListener("input", () => scene.move([[input, Number(control.value) * toSi, resolution]]));
 }
 
-/** Takes another case in place of the text; the address is no longer that of the case. */
-function take(opened: Opened): void {
+/** The address is no longer that of the case. */
+function leaveAddress(): void {
   if (location.hash !== "") history.replaceState(null, "", location.pathname + location.search);
+}
+
+/** Takes another case in place of the text. */
+function take(opened: Opened): void {
+  leaveAddress();
   editor.replace(opened);
 }
+
+/** The text is another. */
+function edited(isByHand: boolean): void {
+  if (editor.file !== state.addressed) leaveAddress();
+  changed(isByHand);
+}
+
+/** `true` if the text would be lost with the page. */
+const isUnsaved = (): boolean => editor.isEdited && ![state.saved, state.addressed].includes(editor.file);
 
 /** Another case has taken the place of the text, or the one before it again. */
 function replaced(): void {
@@ -191,7 +208,9 @@ async function readFragment(): Promise<void> {
   try {
     const shared = await share.unpack(fragment);
     // Another address, or another case, may have come first.
-    if (shared && fragment === location.hash) editor.replace(shared);
+    if (!shared || fragment !== location.hash) return;
+    state.addressed = shared.text;
+    editor.replace(shared);
   } catch (error) {
     if (fragment === location.hash) say(`This address cannot be opened: ${failure(error)}.`, true);
   }
@@ -300,11 +319,16 @@ function wire(): void {
   });
   $("save").addEventListener("click", () => {
     const ending = /\.(toml|json)$/.exec(editor.source.name)?.[0] ?? ".toml";
-    files.save(`${base()}${ending}`, editor.file, "text/plain");
+    state.saved = editor.file;
+    files.save(`${base()}${ending}`, state.saved, "text/plain");
   });
   $("share").addEventListener("click", async () => {
     try {
-      history.replaceState(null, "", await share.pack({ ...editor.source, text: editor.file }));
+      const text = editor.file;
+      const address = await share.pack({ ...editor.source, text });
+      if (editor.file !== text) throw new Error("it has changed meanwhile");
+      history.replaceState(null, "", address);
+      state.addressed = text;
       await navigator.clipboard?.writeText(location.href).catch(() => {});
       say("The address of this page now has the case in it. It stays on this machine until you send it.");
     } catch (error) {
@@ -325,6 +349,9 @@ function wire(): void {
   $("undo").addEventListener("click", () => editor.undo());
   $("redo").addEventListener("click", () => editor.redo());
   addEventListener("hashchange", () => void readFragment());
+  addEventListener("beforeunload", (event) => {
+    if (isUnsaved()) event.preventDefault();
+  });
   addEventListener("dragover", (event) => event.preventDefault());
   addEventListener("drop", (event) => {
     const dropped = Array.from(event.dataTransfer?.files ?? []);
@@ -343,7 +370,7 @@ function wire(): void {
 async function start(): Promise<void> {
   const module = compile("frame");
   const first = example("position-a.toml") ?? EXAMPLES[0]!;
-  editor = new Editor($("editor"), { name: first.path, files: first.files, text: first.text }, caseSchema, changed, replaced);
+  editor = new Editor($("editor"), { name: first.path, files: first.files, text: first.text }, caseSchema, edited, replaced);
   scene = new Scene($("scene"), current, edit);
   form = new Form($("form"), current, (changes) => editor.apply(changes), edit.refuse);
   answers = new Answers($("answers"), current, (offset) => editor.goTo(offset));

@@ -486,6 +486,40 @@ describe("the editor and the form", () => {
     });
   });
 
+  test("what is typed is not lost with the page without a question", async () => {
+    await visit(async (page) => {
+      // Whether the page would ask.
+      const asks = () => page.evaluate(() => !dispatchEvent(new Event("beforeunload", { cancelable: true })));
+      const edit = (value) => settled(page, () => page.locator("#restitution").fill(value));
+      assert.equal(await asks(), false);
+      const [licenses] = await Promise.all([page.waitForEvent("popup"), page.click("footer a")]);
+      assert.match(licenses.url(), /LICENSES\.txt$/);
+      await licenses.close();
+      await edit("0.12");
+      assert.equal(await asks(), true);
+      const [asked] = await Promise.all([page.waitForEvent("dialog"), page.close({ runBeforeUnload: true })]);
+      assert.equal(asked.type(), "beforeunload");
+      await asked.dismiss();
+      await text(page);
+      assert.equal(await asks(), false);
+      await edit("0.13");
+      assert.equal(await asks(), true);
+      await page.click("#share");
+      await page.waitForFunction(() => location.hash !== "");
+      assert.equal(await asks(), false);
+      await edit("0.14");
+      assert.equal(await asks(), true);
+      const windows = examples.find(({ path }) => path === "position-a.toml").text.replaceAll("\n", "\r\n");
+      await settled(page, () => page.setInputFiles("#open", { name: "a.toml", mimeType: "text/plain", buffer: Buffer.from(windows) }));
+      assert.equal(await asks(), false);
+      await edit("0.15");
+      await settled(page, () => page.click("#undo"));
+      assert.equal(await asks(), false);
+      await settled(page, () => page.click("#undo"));
+      assert.equal(await asks(), true);
+    });
+  });
+
   test("keys are completed and explained", async () => {
     await visit(async (page) => {
       await type(page, "[contact]\nrestit");
@@ -763,6 +797,25 @@ describe("an address with a case", () => {
     "of other types": packed('[1,2,{}]'),
     "a bomb": packed(JSON.stringify(["a.toml", "x".repeat(40 << 20), {}])),
   };
+  test("is that of the case until it is edited", async () => {
+    await visit(async (page) => {
+      const hash = () => page.evaluate(() => location.hash);
+      await page.click("#share");
+      await page.waitForFunction(() => location.hash !== "");
+      const fragment = await hash();
+      await settled(page, () => page.selectOption("#units", "si"));
+      assert.equal(await hash(), fragment);
+      await settled(page, () => page.locator("#restitution").fill("0.12"));
+      assert.equal(await hash(), "");
+      await visit(async (other) => {
+        await other.waitForFunction(() => document.documentElement.dataset.ready === "true");
+        assert.equal(await other.evaluate(() => location.hash), fragment);
+        await settled(other, () => pull(other, "contact.crush_plane", [0, -60]));
+        assert.equal(await other.evaluate(() => location.hash), "");
+      }, { fragment });
+    });
+  });
+
   test("says nothing of an address that is gone", async () => {
     await visit(async (page) => {
       await page.waitForFunction(() => document.querySelector("#message").textContent.includes("This address cannot be opened"));
