@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use super::{Document, Node, Value};
+use super::{Document, Node, Value, json, toml};
 use crate::case::Parameter;
 use crate::issue::{Cause, Issue, Issues};
 use crate::quantity::{Conversion, Kind, unit_of};
@@ -44,16 +44,17 @@ impl Document {
     /// A table that is missing, or is written in braces.
     pub fn write_text(&self, path: &str, text: &str) -> Result<Edit, Issues> {
         let (key, text) = (key_of(path), text.trim());
-        let is_table = text.starts_with('{') && text.ends_with('}');
+        let table = self.table_of(text);
         // What is a number in JSON is one in TOML, and `007`, `5.` and `+1` are in neither.
         let is_number = serde_json::from_str::<f64>(text).is_ok();
         match self.find(&key) {
             Some(node) if self.has_header(node) => Err(self.refuse_edit(&key, node.span.clone(), "is a table; write one of its keys")),
             Some(node) => {
                 let keeps_bare = is_number && matches!(node.value, Value::Number(_));
-                Ok(Edit { span: node.span.clone(), text: if keeps_bare || is_table { text.to_owned() } else { quoted(text) } })
+                let value = table.unwrap_or_else(|| if keeps_bare { text.to_owned() } else { quoted(text) });
+                Ok(Edit { span: node.span.clone(), text: value })
             }
-            None => self.insert(&key, &if is_number || is_table { text.to_owned() } else { quoted(text) }),
+            None => self.insert(&key, &table.unwrap_or_else(|| if is_number { text.to_owned() } else { quoted(text) })),
         }
     }
 
@@ -100,6 +101,21 @@ impl Document {
         let value = |name: &str| place(name).and_then(|entry| self.number(&entry.node, kind)).map(|number| number.si);
         let nominal = ["value", "mode", "median", "start"].into_iter().find_map(value);
         nominal.or_else(|| Some((value("min")? + value("max")?) / 2.0))
+    }
+
+    /// Returns a table in braces that is typed, in the format of the file whichever it is typed in; `None` for anything else.
+    fn table_of(&self, text: &str) -> Option<String> {
+        if !(text.starts_with('{') && text.ends_with('}')) {
+            return None;
+        }
+        let in_toml = || match toml::parse(&format!("x = {text}")).ok()?.value {
+            Value::Table(entries) => entries.into_iter().next().map(|entry| entry.node.value),
+            _ => None,
+        };
+        let in_json = || json::parse(text).ok().map(|node| node.value);
+        let is_json = super::is_json(&self.source);
+        let (is_own, other) = if is_json { (in_json().is_some(), in_toml()) } else { (in_toml().is_some(), in_json()) };
+        if is_own { Some(text.to_owned()) } else { inline(&other?, if is_json { ": " } else { " = " }) }
     }
 
     fn refuse_edit(&self, path: &str, span: Range<usize>, message: &'static str) -> Issues {
@@ -164,13 +180,17 @@ impl Document {
     /// Adds a key below the last one of its table.
     fn insert(&self, key: &str, value: &str) -> Result<Edit, Issues> {
         let text = &self.source.text;
-        let is_bare = |name: &str| !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'));
         let missing = || {
             Issues::new(Cause::Input, self.source.clone(), vec![Issue::at("edit", key, "has no place in the file yet; add it to the text")])
         };
         let place = key.rsplit_once('.').filter(|(_, name)| is_bare(name)).and_then(|(table, name)| Some((self.find(table)?, name)));
         let (node, name) = place.ok_or_else(missing)?;
         let (Value::Table(entries), Some('[')) = (&node.value, text[node.span.clone()].chars().next()) else { return Err(missing()) };
+        let by = OTHER_FORMS.iter().filter(|(one, _)| *one == name).find_map(|(_, other)| entries.iter().find(|entry| entry.key == *other));
+        if let Some(by) = by {
+            let issue = Issue::at("edit", key, format!("is given by `{}`; edit the text", by.key));
+            return Err(Issues::new(Cause::Input, self.source.clone(), vec![issue]));
+        }
         let is_own = |node: &Node| match &node.value {
             Value::Table(_) => text[node.span.clone()].starts_with('{'),
             Value::Array(items) => !items.first().is_some_and(|item| text[item.span.clone()].starts_with("[[")),
@@ -188,6 +208,41 @@ struct Number {
     si: f64,
     unit: String,
     rest: String,
+}
+
+/// Keys beside which another one gives the same in another form.
+const OTHER_FORMS: [(&str, &str); 9] = [
+    ("mass", "weight"),
+    ("weight", "mass"),
+    ("yaw_inertia", "radius_of_gyration"),
+    ("radius_of_gyration", "yaw_inertia"),
+    ("speed", "velocity"),
+    ("velocity", "speed"),
+    ("crush_plane", "surfaces"),
+    ("impulse_ratio", "friction"),
+    ("friction", "impulse_ratio"),
+];
+
+/// Returns `true` for a key that needs no quotes in TOML.
+fn is_bare(key: &str) -> bool {
+    !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'))
+}
+
+/// Writes a value in one line, with a sign between keys and values: a colon, behind keys in quotation marks, or an equals sign.
+fn inline(value: &Value, between: &str) -> Option<String> {
+    let key = |key: &str| if between == ": " || !is_bare(key) { quoted(key) } else { key.to_owned() };
+    let all = |items: Vec<String>, [open, close]: [&str; 2]| format!("{open}{}{close}", items.join(", "));
+    Some(match value {
+        Value::Table(entries) => {
+            let items = entries.iter().map(|entry| Some(format!("{}{between}{}", key(&entry.key), inline(&entry.node.value, between)?)));
+            all(items.collect::<Option<_>>()?, ["{ ", " }"])
+        }
+        Value::Array(items) => all(items.iter().map(|node| inline(&node.value, between)).collect::<Option<_>>()?, ["[", "]"]),
+        Value::String(text) => quoted(text),
+        Value::Number(number) => number.text.clone(),
+        Value::Bool(is_true) => is_true.to_string(),
+        Value::Null | Value::Other(_) => return None,
+    })
 }
 
 /// Returns the key of the file for the name of an input: components are the items of an array.
@@ -309,6 +364,45 @@ restitution = { mode = 0.1, min = 0, max = 0.3 }
             assert!(document(TEXT).write_text(path, "1").is_err(), "{path}");
         }
         assert_eq!(moved("vehicle.1.yaw_rate", 1.0, 0.01), ["yaw_rate = \"57.3 deg/s\""]); // 180/π
+    }
+
+    /// A table is one in either format, typed in either; what is a table in neither is a text, which is refused when it is read.
+    #[test]
+    fn a_table_that_is_typed_is_one_of_the_file() {
+        let toml = "[[vehicle]]\nmass = 1500\n[contact]\nrestitution = 0.1\nfriction = 0.5\n";
+        let json = "{\"vehicle\": [{\"mass\": 1500}],\n\"contact\": {\"restitution\": 0.1}}";
+        for (name, text) in [("case.toml", toml), ("case.json", json)] {
+            let read = |text: String| Document::parse(Source { name: name.to_owned(), text }).unwrap_or_else(|issues| panic!("{issues}"));
+            let typed = |typed: &str| {
+                let again = read(apply(text, vec![read(text.to_owned()).write_text("contact.restitution", typed).unwrap()]));
+                match &again.find("contact.restitution").unwrap().value {
+                    Value::Table(entries) => {
+                        entries.iter().map(|entry| format!("{} {:?}", entry.key, entry.node.value)).collect::<Vec<_>>().join("; ")
+                    }
+                    other => other.describe().to_owned(),
+                }
+            };
+            let number = |text: &str| format!("Number(Number {{ text: {text:?}, integer: {} }})", !text.contains('.'));
+            let wanted = format!("min {}; max {}; values Array", number("0"), number("0.3"));
+            for table in ["{ min = 0, max = 0.3, values = [\"a\\\"\", true] }", "{\"min\": 0, \"max\": 0.3, \"values\": [\"a\\\"\", true]}"]
+            {
+                assert!(
+                    typed(table).starts_with(&wanted) && typed(table).contains("String(\"a\\\"\")"),
+                    "{name} {table}: {}",
+                    typed(table)
+                );
+            }
+            assert_eq!([typed("{ min 0 }"), typed("{}}")], ["a string", "a string"]);
+        }
+        // Beside another form of the same a key is none.
+        let refused = |path: &str| {
+            let text =
+                toml.replace("restitution", "surfaces = [0, 1]\nrestitution").replace("mass = 1500", "mass = 1500\nvelocity = [1, 2]");
+            document(&text).write_text(path, "1").unwrap_err().to_string()
+        };
+        assert_eq!(refused("contact.crush_plane"), "contact.crush_plane: is given by `surfaces`; edit the text");
+        assert_eq!(refused("contact.impulse_ratio"), "contact.impulse_ratio: is given by `friction`; edit the text");
+        assert_eq!(refused("vehicle.1.speed"), "vehicle.1.speed: is given by `velocity`; edit the text");
     }
 
     #[test]
