@@ -35,7 +35,7 @@ def _is_path(text: str) -> bool:
         os.fsencode(text)
     except UnicodeEncodeError:
         return False
-    is_text = text.lstrip().startswith("{") or "=" in text
+    is_text = text.removeprefix("\ufeff").lstrip().startswith("{") or "=" in text
     return not is_text or text.lower().endswith((".toml", ".json")) or os.path.exists(text)
 
 

@@ -131,6 +131,7 @@ def test_a_case_is_a_path_a_text_or_a_dict() -> None:
     case = reference("cases")[0]["case"]
     by_dict = planar_impact.solve(case)
     assert planar_impact.solve(json.dumps(case)) == by_dict
+    assert planar_impact.solve("\ufeff" + json.dumps(case)) == by_dict
     case["contact"]["restitution"] = np.float64(case["contact"]["restitution"])
     case["vehicle"][1]["impact_center"] = ("1.450877 m", np.array("74.3 cm"))
     case["vehicle"][0] = MappingProxyType({**case["vehicle"][0], "mass": np.str_(case["vehicle"][0]["mass"])})
