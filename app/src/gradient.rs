@@ -243,6 +243,9 @@ impl TypicalUncertainty {
     /// Returns the typical uncertainty of an input, as users of a system of units round it.
     pub fn of(parameter: Parameter, value: f64, units: Units) -> TypicalUncertainty {
         let share = TypicalUncertainty { size: 0.01 * value.abs(), text: "1 %" };
+        if parameter == Parameter::RestitutionScatter {
+            return TypicalUncertainty { size: 1.0, text: "1" };
+        }
         let is_radius = matches!(parameter, Parameter::RadiusOfGyration(_));
         let text = match (parameter.measure(), units) {
             (Measure::Angle, _) => "1 deg",
@@ -380,6 +383,7 @@ mod tests {
         assert_eq!(of(Parameter::Speed(Side::One), 10.0, Units::Si).1, "1 km/h");
         assert_eq!(of(Parameter::Crush(Side::One, CrushKey::Depth(2)), 0.1, Units::Si), (0.025, "2.5 cm"));
         assert_eq!(of(Parameter::Friction, 0.4, Units::Us), (0.05, "0.05"));
+        assert_eq!(of(Parameter::RestitutionScatter, 0.0, Units::Us), (1.0, "1"), "it counts standard deviations");
         assert_eq!(of(Parameter::RadiusOfGyration(Side::Two), 1.5, Units::Si), (0.015, "1 %"));
         assert_eq!(of(Parameter::Input(Input::CrushPlane), 0.0, Units::Si).0, 1_f64.to_radians());
     }
