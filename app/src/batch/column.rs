@@ -319,7 +319,7 @@ fn known() -> impl Iterator<Item = Key> {
 pub(super) fn meant_by(header: &Header) -> Vec<String> {
     let name = visible(&header.name);
     // A unit in parentheses is no part of the name.
-    let base = name.split('(').next().unwrap_or_default().trim();
+    let base = name.trim().strip_suffix(')').and_then(|name| name.rsplit_once('(')).map_or(&*name, |(base, _)| base);
     let split: Vec<(&str, &str)> = header::split(&name).collect();
     let all = words(base);
     let behind = split.iter().map(|(bare, unit)| (words(bare), *unit));
@@ -331,7 +331,13 @@ pub(super) fn meant_by(header: &Header) -> Vec<String> {
         given.map(str::trim).find(|unit| key.has_unit(unit))
     };
     let has_any = meant.iter().any(|key| unit_of(key).is_some());
-    let headed = |key: &Key| unit_of(key).map_or_else(|| key.to_string(), |unit| format!("{key} [{unit}]"));
+    let is_weight = all.iter().any(|word| ["weight", "w"].contains(&&*word.to_ascii_lowercase()));
+    let headed = |key: &Key| match unit_of(key) {
+        Some(unit) => format!("{key} [{unit}]"),
+        // Taken for a mass, pounds would be kilograms.
+        None if is_weight && key.has_unit("kg") => format!("{key} [kg] or [lb]"),
+        None => key.to_string(),
+    };
     meant.iter().filter(|key| !has_any || unit_of(key).is_some()).map(headed).collect()
 }
 
@@ -350,8 +356,8 @@ fn words(name: &str) -> Vec<&str> {
 }
 
 /// Words in a name that do not say which input it is.
-const OF_ANY_INPUT: [&str; 13] =
-    ["vehicle", "vehicles", "veh", "car", "body", "v", "b", "contact", "contacts", "input", "model", "before", "initial"];
+const OF_ANY_INPUT: [&str; 14] =
+    ["vehicle", "vehicles", "veh", "car", "unit", "body", "v", "b", "contact", "contacts", "input", "model", "before", "initial"];
 
 /// What people call an input, and the last words of those that they may mean.
 const CALLED: &[(&str, &str)] = &[
@@ -444,6 +450,13 @@ fn unknown(name: &str) -> Issue {
     if of_file != name && Key::named(&of_file).is_some() {
         return issue.with_help(format!("did you mean `{of_file}`?"));
     }
-    let meant = of_symbol(name).or_else(|| did_you_mean(&name.to_ascii_lowercase(), known().map(|key| key.to_string())));
+    // A case has names, and a table passes them through.
+    let is_name = name.ends_with(".name");
+    let by_words = || match &named_like(&words(name))[..] {
+        [key] => Some(format!("did you mean `{key}`?")),
+        _ => None,
+    };
+    let by_spelling = || did_you_mean(&name.to_ascii_lowercase(), known().map(|key| key.to_string()));
+    let meant = of_symbol(name).or_else(by_words).or_else(by_spelling).filter(|_| !is_name);
     issue.with_help(meant.unwrap_or_else(|| "rename the column, so that it passes through".to_owned()))
 }

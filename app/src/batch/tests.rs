@@ -640,7 +640,7 @@ fn a_column_that_may_be_meant_as_an_input_is_named() {
             "e: the column `e` passes through unread; as an input it is named contact.restitution",
             "Speed: the column `Speed` passes through unread; as an input it is named vehicle.1.speed [mph] or vehicle.2.speed [mph]",
             "velocity.x: the column `velocity.x` passes through unread; as an input it is named vehicle.1.velocity.x or vehicle.2.velocity.x",
-            "weight: the column `weight` passes through unread; as an input it is named vehicle.1.mass or vehicle.2.mass",
+            "weight: the column `weight` passes through unread; as an input it is named vehicle.1.mass [kg] or [lb] or vehicle.2.mass [kg] or [lb]",
             "rest.friction: the column `rest.friction` passes through unread; a table has inputs of the collision alone, which begin with `vehicle.` or `contact.`",
         ]
     );
@@ -655,8 +655,11 @@ fn a_column_that_may_be_meant_as_an_input_is_named() {
         ("V2_mph", "vehicle.2.speed [mph]"),
         ("mass_lb_2", "vehicle.2.mass [lb]"),
         ("W2 [lb]", "vehicle.2.mass [lb]"),
+        ("weight1 [lbf]", "vehicle.1.mass [kg] or [lb]"),
+        ("vehicle(1).speed", "vehicle.1.speed"),
+        ("Unit 1 speed (mph)", "vehicle.1.speed [mph]"),
         ("w2 [rad/s]", "vehicle.2.yaw_rate [rad/s]"),
-        ("w2", "vehicle.2.mass vehicle.2.yaw_rate"),
+        ("w2", "vehicle.2.mass [kg] or [lb] vehicle.2.yaw_rate"),
         ("yaw1", "vehicle.1.heading vehicle.1.yaw_rate"),
         ("car 1 yaw inertia", "vehicle.1.yaw_inertia"),
         ("I_1", "vehicle.1.yaw_inertia"),
@@ -698,6 +701,14 @@ fn a_column_that_may_be_meant_as_an_input_is_named() {
         pounds.notices(None).iter().map(|notice| (notice.code, notice.path.as_str())).collect::<Vec<_>>(),
         [("pound-force-assumed", "vehicle.1.yaw_inertia")]
     );
+    for (name, remedy) in [
+        ("contact.law", "did you mean `contact.tangential_law`?"),
+        ("vehicle.1.name", "rename the column, so that it passes through"),
+        ("vehicle.1.sped", "did you mean `vehicle.1.speed`?"),
+    ] {
+        let Err(refused) = self::plan(&[name, "vehicle.1.mass"], Some(&case), &Options::default()) else { panic!("{name}") };
+        assert!(refused.to_string().contains(remedy), "{refused}");
+    }
     let refused = self::plan(&["vehicle.1.weight [lbf]"], Some(&case), &Options::default());
     let Err(refused) = refused else { panic!("a weight") };
     assert!(refused.to_string().contains("give the mass, as `vehicle.1.mass [kg]`"), "{refused}");
