@@ -17,6 +17,7 @@ mod inputs;
 mod levels;
 mod posterior;
 mod question;
+mod rolled;
 mod slides;
 mod slips;
 mod solve_error;
@@ -172,7 +173,7 @@ fn by_separations(
             notices.0.extend(solved.warnings(&impact));
         }
     }
-    notices.0.extend(slides::bends(case, separations));
+    notices.0.extend(slides::bends(case, &question, separations));
     notices.0.extend(without_slope(&question, answer.best()));
     if matches!(answer.verdict, Verdict::Contradicted | Verdict::BoundsExclude) {
         notices.0.extend(by_momentum(&question));

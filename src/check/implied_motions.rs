@@ -160,5 +160,5 @@ fn of_model<const N: usize>(known: &Known<'_, N>, judge: &Judge) -> Option<Xy<Un
     let ratio = impulse.t.value / impulse.n.value;
     let share = values(&meeting.bodies, &subjects)?.compliance.wedging_share(ratio);
     // Of an impulse that pulls the sum is negative, and the law that it breaks is clear.
-    (share > WEDGES || share < -PULLS).then(|| plane.to_ground(impulse))
+    (share.is_finite() && !(-PULLS..=WEDGES).contains(&share)).then(|| plane.to_ground(impulse))
 }

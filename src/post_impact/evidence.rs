@@ -349,6 +349,20 @@ impl Slide {
         }
     }
 
+    /// Returns what a pose at rest says of the separation to first order about another motion, such as one that more evidence leads to: the motion that a step of Gauss
+    /// and Newton from there leads to, with the covariance and the part by the friction there. `None` where that motion does not come to rest, or its rest does not
+    /// depend on it.
+    ///
+    /// Where a slide bends, the slopes about the fitted motion are those that count: on wheels that roll the motion that ends in the pose itself may lie beside a fold,
+    /// at which separations turn round. The closed form is the same about any motion.
+    #[must_use]
+    pub fn separation_about(&self, evidence: &RestEvidence, method: Method, about: &Motion) -> Option<Separation> {
+        match method {
+            Method::ClosedForm => self.separation_in_closed_form(evidence).ok(),
+            Method::Slide => self.separation_by_slide_about(evidence, about),
+        }
+    }
+
     fn check_evidence(&self, evidence: &RestEvidence) -> Result<(), SlideIssues> {
         let mut issues = self.issues();
         check_proportions(&mut issues, &self.vehicle);

@@ -105,6 +105,10 @@ impl Slide {
         search.separation(&search.near(known)?).ok()
     }
 
+    pub(super) fn separation_by_slide_about(&self, evidence: &RestEvidence, about: &Motion) -> Option<Separation> {
+        ToRest::of(self, evidence, &|_, _| true).about(about)
+    }
+
     /// Returns the closed form, or a rotation in proportion to the path if the tires would drive the vehicle.
     fn first_guess(&self, evidence: &RestEvidence) -> [f64; 3] {
         let Motion { velocity, yaw_rate } = self.closed_form(&evidence.separation, &evidence.rest);
@@ -251,6 +255,47 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// What a pose says about another motion is the line there: the change of the pose along it is what the slide of that motion misses, and the covariance on it is that of
+    /// the pose. About the solution it is the solution.
+    #[test]
+    fn about_another_motion_the_pose_is_followed_along_the_slopes_there() {
+        let slide = slide(damaged());
+        let at_rest = |motion: &Motion| {
+            let Pose { position: Xy { x, y }, heading } = slide.to_rest(&FROM, motion).expect("it comes to rest").pose;
+            [x, y, heading]
+        };
+        let solution = motion(&MOTIONS[0]);
+        let [x, y, heading] = at_rest(&solution);
+        let given = RestEvidence { friction_deviation: 0.0, ..evidence(Pose { position: Xy { x, y }, heading }) };
+        let found = slide.separation_near(&given, Method::Slide, &solution).expect("a solution");
+        let same = slide.separation_about(&given, Method::Slide, &found.motion).expect("it comes to rest");
+        let off = same.motion.components().into_iter().zip(found.motion.components()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-6 && same.covariance == found.covariance, "{same:?} {found:?}");
+        let about = [8.4, 4.3, 2.2];
+        let said = slide.separation_about(&given, Method::Slide, &motion(&about)).expect("it comes to rest");
+        let here = at_rest(&motion(&about));
+        let slopes: [[f64; 3]; 3] = core::array::from_fn(|k| {
+            let by = |step: f64| at_rest(&motion(&core::array::from_fn::<f64, 3, _>(|i| about[i] + if i == k { step } else { 0.0 })));
+            let (more, less) = (by(1e-4), by(-1e-4));
+            core::array::from_fn(|i| (more[i] - less[i]) / 2e-4)
+        });
+        let step: [f64; 3] = core::array::from_fn(|k| said.motion.components()[k] - about[k]);
+        assert!(step.iter().all(|by| by.abs() > 0.01), "{step:?}");
+        let deviations = [given.position_deviation.x, given.position_deviation.y, given.heading_deviation];
+        for i in 0..3 {
+            let change: f64 = (0..3).map(|k| slopes[k][i] * step[k]).sum();
+            let miss = [x, y, heading][i] - here[i];
+            assert!((change - miss).abs() < 1e-3 * miss.abs(), "{i}: {change} {miss}");
+            let variance: f64 =
+                (0..3).flat_map(|k| (0..3).map(move |l| (k, l))).map(|(k, l)| slopes[k][i] * said.covariance.0[k][l] * slopes[l][i]).sum();
+            assert!((variance.sqrt() / deviations[i] - 1.0).abs() < 1e-3, "{i}: {variance}");
+        }
+        let never = slide.separation_about(&given, Method::Slide, &motion(&[f64::NAN, 0.0, 0.0]));
+        assert_eq!(never, None);
+        let closed = slide.separation_about(&given, Method::ClosedForm, &motion(&about));
+        assert_eq!(closed, slide.separation(&given, Method::ClosedForm).ok());
     }
 
     /// Points on the path of a known motion change nothing but what is known of it; one beside it is missed, and moves the motion.

@@ -317,7 +317,12 @@ fn known() -> impl Iterator<Item = Key> {
 ///
 /// Each is a header, with the unit that stands in the name or behind it.
 pub(super) fn meant_by(header: &Header) -> Vec<String> {
+    /// Length in bytes beyond which no name means an input, of which the words would take long to compare.
+    const LONGEST: usize = 200;
     let name = visible(&header.name);
+    if name.len() > LONGEST {
+        return Vec::new();
+    }
     // A unit in parentheses is no part of the name.
     let base = name.trim().strip_suffix(')').and_then(|name| name.rsplit_once('(')).map_or(&*name, |(base, _)| base);
     let split: Vec<(&str, &str)> = header::split(&name).collect();

@@ -319,7 +319,9 @@ fn unknown(name: &str, unit: &str, wanted: Option<Dimension>) -> QuantityError {
         "nms" => Some("write `N m s`"),
         "mrad" | "mrads" => Some("write `rad` or `deg`"),
         "stone" | "stones" => Some("a stone is 14 lb: write `lb` or `kg`"),
-        "grad" | "grads" => Some("it is a 400th of a turn to surveyors and a 360th in German: write `gon` or `deg`"),
+        "grad" | "grads" | "gradian" | "gradians" => {
+            Some("it is a 400th of a turn to surveyors and a 360th in German: write `gon` or `deg`")
+        }
         _ => None,
     };
     if let Some(several) = several {

@@ -8,8 +8,9 @@ use super::by_friction::{are_alike, growing_errors, motions_by_friction, with_fr
 use super::dependences::is_followed;
 use super::doubts::reconciled;
 use super::followed::Followed;
-use super::from_rest::{Separations, key, outputs};
+use super::from_rest::{SeparationFromRest, Separations, key, outputs};
 use super::question::{Question, name_in, values_of};
+use super::rolled::Rolled;
 use super::solve_error;
 use crate::case::{Case, Inputs, vehicle_number};
 use crate::issue::{Issue, Issues};
@@ -19,6 +20,8 @@ use crate::units::Measure;
 const MOST: usize = 12;
 /// Largest number of times that errors by the friction are weighed anew.
 const MOST_WEIGHTS: usize = 4;
+/// Largest number of times that separations on wheels that roll are taken about the fitted motion.
+const MOST_ROLLED: usize = 8;
 /// Standard deviations, and shares of a covariance, that do not matter.
 const NEAR: f64 = 0.01;
 
@@ -36,6 +39,7 @@ pub fn solved(
 ) -> Result<(Question, Answer, Separations), Issues> {
     let mut about = separations.clone();
     let mut weighed = separations.clone();
+    let mut from = [None, None];
     for tries in 1..=MOST {
         let asked = within_reach(&question.asked);
         let answer = solve(&asked).map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
@@ -47,20 +51,44 @@ pub fn solved(
             !is_followed(&question.asked, side)
                 || about.zip(there).is_some_and(|(about, there)| is_alike(&question.asked, answer.best(), side, about, there))
         };
-        let motions = motions_by_friction(&question.asked, answer.best(), &about);
+        let motions = motions_by_friction(&question.asked, answer.best(), &weighed);
         let gyrations = question.asked.collision.parties().map(|party| party.vehicle().map_or(0.0, |vehicle| vehicle.radius_of_gyration()));
-        let weigh = |separations: &Separations| with_friction_at(separations, &motions, gyrations);
-        // Where the evidence contradicts itself, no motion is one to weigh at.
-        let is_weighed = tries > MOST_WEIGHTS || answer.verdict == Verdict::Contradicted || are_alike(&weigh(&about), &weighed);
+        let rolled = if tries <= MOST_ROLLED { Rolled::of(case, &inputs, &about, &from, &motions) } else { [None, None] };
+        let weigh = |separations: &Separations| {
+            let [one, two] = with_friction_at(separations, &motions, gyrations);
+            let [on_one, on_two] = rolled.each_ref().map(|rolled| Some(rolled.as_ref()?.separation.clone()));
+            [on_one.or(one), on_two.or(two)]
+        };
+        let next = weigh(&about);
+        let is_settled = |side: Side| {
+            let is_alike = || are_alike(next[side as usize].as_ref(), weighed[side as usize].as_ref());
+            match &rolled[side as usize] {
+                Some(rolled) => rolled.is_fitted && is_alike(),
+                // Where the evidence contradicts itself, no motion is one to weigh at.
+                None if from[side as usize].is_some() => false,
+                None => tries > MOST_WEIGHTS || answer.verdict == Verdict::Contradicted || is_alike(),
+            }
+        };
+        let is_weighed = tries > MOST_ROLLED + 1 || Side::ALL.into_iter().all(is_settled);
         if is_in_reach(answer.best()) && Side::ALL.into_iter().all(is_about) && is_weighed {
             let answer = without(answer, |solution| !is_in_reach(solution));
             let growing = growing_errors(&question.asked, &about, &weighed, gyrations);
             let ask = |about: &Separations| Question::about(case, &inputs, &with_fits_of(&weighed, about));
             let (mut question, answer, about) = reconciled(case, &inputs, question, answer, about, &ask)?;
             question.asked.growing_error = growing;
+            // Those that lead to the rest positions are shown.
+            let mut shown = with_fits_of(&weighed, &about);
+            for side in Side::ALL {
+                let (Some(rolled), Some(at_rest)) = (&rolled[side as usize], &about[side as usize]) else { continue };
+                question.about_fit[side as usize] = true;
+                question.notices.0.extend(rolled.notice(side, at_rest));
+                shown[side as usize] = Some(at_rest.clone());
+            }
+            question.separations = SeparationFromRest::of(case, &shown);
             return Ok((question, answer, about));
         }
         weighed = weigh(&there);
+        from = rolled.each_ref().map(|rolled| Some(rolled.as_ref()?.about));
         question = Question::about(case, &inputs, &weighed)?;
         about = there;
     }

@@ -64,16 +64,15 @@ pub fn with_friction_at(separations: &Separations, motions: &[Motion; 2], gyrati
     Side::ALL.map(weighed)
 }
 
-/// Returns `true` if errors by the friction of separations are alike.
-pub fn are_alike(one: &Separations, other: &Separations) -> bool {
-    let is_alike = |(one, other): (&Option<Separation>, &Option<Separation>)| {
-        one.as_ref().zip(other.as_ref()).is_none_or(|(one, other)| {
-            let sds = one.covariance.deviations();
-            let changes = one.by_friction.components().into_iter().zip(other.by_friction.components()).zip(sds);
-            changes.into_iter().all(|((one, other), sd)| (one - other).abs() <= ALIKE * sd)
-        })
-    };
-    one.iter().zip(other).all(is_alike)
+/// Returns `true` if separations, and their errors by the friction, are alike.
+pub fn are_alike(one: Option<&Separation>, other: Option<&Separation>) -> bool {
+    one.zip(other).is_none_or(|(one, other)| {
+        let sds = one.covariance.deviations();
+        let is_near = |one: Motion, other: Motion| {
+            one.components().into_iter().zip(other.components()).zip(sds).all(|((one, other), sd)| (one - other).abs() <= ALIKE * sd)
+        };
+        is_near(one.motion, other.motion) && is_near(one.by_friction, other.by_friction)
+    })
 }
 
 /// Returns a warning of a posterior by a friction that is far from exact and that skid speeds depend on too: the errors that it causes grow with the motion, and draws have those of

@@ -1,7 +1,7 @@
 //! A separation that leads to a rest position, and those beside it that other numbers of the vehicle lead to.
 
-use planar_impact::Side;
 use planar_impact::post_impact::Separation;
+use planar_impact::{Motion, Side};
 
 use super::from_rest::Separations;
 use super::inputs::without_deviation;
@@ -37,6 +37,15 @@ impl<'a> Followed<'a> {
     /// Returns the separation that a rest position leads to.
     pub fn near(&self, rest: &RestOfVehicle) -> Option<Separation> {
         rest.slide.separation_near(rest.evidence.as_ref()?, rest.method, &self.separation.motion)
+    }
+
+    /// Returns what the rest position says of the separation to first order about another motion. Only of a slide on wheels that roll, without points along it: a way on
+    /// locked wheels is compared as one.
+    pub fn about(&self, motion: &Motion) -> Option<Separation> {
+        let rest = self.with(&[]).filter(|rest| !rest.slide.vehicle.is_locked())?;
+        let evidence = rest.evidence.as_ref().filter(|evidence| evidence.points.is_empty())?;
+        let separation = &rest.slide.separation_about(evidence, rest.method, motion).filter(Separation::has_deviations)?;
+        Followed { separation, ..*self }.widened().ok()
     }
 
     /// Returns `true` if the vehicle that slides, or its pose at separation, changes with a parameter.

@@ -33,6 +33,8 @@ pub struct Question {
     pub notices: Notices,
     /// The separations from rest positions that are used.
     pub separations: Vec<SeparationFromRest>,
+    /// Whether the separation of vehicle 1 or of vehicle 2 is what its rest position says about the fitted motion.
+    pub about_fit: [bool; 2],
 }
 
 /// Paths in the file of the parts of the question.
@@ -178,6 +180,7 @@ impl Question {
             places: draft.places,
             notices: draft.notices,
             separations: of_rest,
+            about_fit: [false; 2],
         })
     }
 }

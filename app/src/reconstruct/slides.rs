@@ -10,8 +10,9 @@ use super::question::Question;
 use crate::case::{Case, vehicle_number};
 use crate::notice::Notice;
 
-/// Returns a warning of each separation that bends within the uncertainty of its rest position. On wheels that roll it may turn round within one standard deviation, of a long slide too.
-pub fn bends(case: &Case, separations: &Separations) -> Vec<Notice> {
+/// Returns a warning of each separation that is taken about its rest position, and bends within the uncertainty of that. On wheels that roll it may turn round within one standard
+/// deviation, of a long slide too.
+pub fn bends(case: &Case, question: &Question, separations: &Separations) -> Vec<Notice> {
     /// Share of its standard deviation by which a separation leaves its slope within one standard deviation of the rest position.
     const MOST: f64 = 0.5;
     let warning = |followed: Followed<'_>| {
@@ -43,11 +44,12 @@ pub fn bends(case: &Case, separations: &Separations) -> Vec<Notice> {
         };
         (0..3).any(is_bent).then(|| Notice::warning("slide-bends", key(followed.side), message()))
     };
-    Followed::all(case, &case.inputs, separations).filter_map(warning).collect()
+    let about_rest = |followed: &Followed<'_>| !question.about_fit[followed.side as usize];
+    Followed::all(case, &case.inputs, separations).filter(about_rest).filter_map(warning).collect()
 }
 
-/// Returns a warning of evidence that contradicts itself and might not if ways to rest were followed from every motion: short ones on locked wheels, and any on wheels that roll, of
-/// which the separation bends.
+/// Returns a warning of evidence that contradicts itself and might not if ways to rest were followed from every motion: short ones on locked wheels, and those on wheels that roll
+/// whose separation bends and is not taken about the fit.
 pub fn of_contradiction(question: &Question, separations: &Separations, best: &Solution) -> Vec<Notice> {
     /// Share of the speed from which a slide on locked wheels ends elsewhere than its way at one motion does.
     const BENT: f64 = 0.15;
@@ -57,6 +59,9 @@ pub fn of_contradiction(question: &Question, separations: &Separations, best: &S
     let warning = |(side, separation): (Side, &Option<Separation>)| {
         let separation = separation.as_ref()?;
         let is_by_way = question.asked.separation_from_rest[side as usize];
+        if question.about_fit[side as usize] {
+            return None;
+        }
         let [speed, sd] = speed_of(separation);
         let is_short = sd > BENT * speed;
         let most = MOST[usize::from(!is_by_way)];

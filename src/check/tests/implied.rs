@@ -98,7 +98,7 @@ fn a_model_that_no_impact_has_is_refuted() {
         ..Record::default()
     };
     assert!(rules(&record).contains(&"compressive"), "{:?}", rules(&record));
-    let by_friction = Model { ratio_kind: RatioKind::Given, impulse_ratio: Some(0.1), ..record.model.clone() };
+    let by_friction = Model { ratio_kind: RatioKind::Given, impulse_ratio: Some(0.1), ..record.model };
     assert!(rules(&Record { model: by_friction, ..record }).is_empty());
 }
 

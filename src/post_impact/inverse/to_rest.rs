@@ -212,20 +212,35 @@ impl<'a> ToRest<'a> {
         (left <= SAME).then_some(found)
     }
 
+    /// Returns the step of Gauss and Newton from a motion.
+    fn step(&self, unknowns: &[f64]) -> Option<[f64; 3]> {
+        let residuals = self.residuals(unknowns).ok()?;
+        let slopes = self.slopes(unknowns, FINE);
+        let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
+        let step = least_squares::SingularValues::of(jacobian)?.solve(&DVector::from_vec(residuals), 0.0);
+        Some(core::array::from_fn(|k| -step[k] * SCALES[k]))
+    }
+
+    /// Returns what the evidence says of the separation to first order about a motion: the next step from it, with the covariance there.
+    pub(super) fn about(&self, known: &Motion) -> Option<Separation> {
+        let unknowns = known.components();
+        let sum_of_squares = self.sum_of_squares(&unknowns).ok()?;
+        let step = self.step(&unknowns)?;
+        let there = self.separation(&Found { unknowns: unknowns.to_vec(), sum_of_squares, iterations: 0 }).ok()?;
+        let next: [f64; 3] = core::array::from_fn(|k| unknowns[k] + step[k]);
+        next.iter().all(|number| number.is_finite()).then(|| Separation { motion: motion(&next), ..there })
+    }
+
     /// Takes the last steps, and returns the length of the first that is not taken.
     fn last_steps(&self, mut found: Found) -> (Found, f64) {
         let mut left = f64::INFINITY;
         for _ in 0..LAST_STEPS {
-            let Ok(residuals) = self.residuals(&found.unknowns) else { break };
-            let slopes = self.slopes(&found.unknowns, FINE);
-            let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
-            let step = least_squares::SingularValues::of(jacobian).map(|found| found.solve(&DVector::from_vec(residuals), 0.0));
-            let Some(step) = step else { break };
-            left = step.amax();
+            let Some(step) = self.step(&found.unknowns) else { break };
+            left = step.iter().zip(SCALES).fold(0.0, |most: f64, (by, scale)| most.max((by / scale).abs()));
             if left <= NO_STEP {
                 break;
             }
-            let unknowns: Vec<f64> = (0..3).map(|k| found.unknowns[k] - step[k] * SCALES[k]).collect();
+            let unknowns: Vec<f64> = found.unknowns.iter().zip(step).map(|(at, by)| at + by).collect();
             match self.sum_of_squares(&unknowns) {
                 Ok(sum_of_squares) if sum_of_squares <= found.sum_of_squares => found = Found { unknowns, sum_of_squares, ..found },
                 _ => break,
