@@ -11,6 +11,7 @@
 //! | its pose and motion at separation | its rest position and trajectory | [`Slide::to_rest`] |
 //! | its poses at separation and at rest | its motion at separation, from the work of the tires along a straight path | [`Slide::closed_form`] |
 //! | the same with standard deviations | its motion at separation with its covariance, by that formula or by the slide that ends at the rest position | [`Slide::separation`] |
+//! | the same about another motion | what the poses say of the separation there, to first order | [`Slide::separation_about`] |
 //!
 //! The equations of motion are written once, generic over the scalar. The integration is in f64; the derivatives of the rest position by the motion at
 //! separation and by the friction are integrated with it, from the same equations on dual numbers.

@@ -355,6 +355,35 @@ impl Slide {
     ///
     /// Where a slide bends, the slopes about the fitted motion are those that count: on wheels that roll the motion that ends in the pose itself may lie beside a fold,
     /// at which separations turn round. The closed form is the same about any motion.
+    ///
+    /// ```
+    /// use planar_impact::post_impact::*;
+    /// use planar_impact::{Motion, Xy};
+    ///
+    /// let vehicle = SlidingVehicle {
+    ///     mass: 1500.0,
+    ///     yaw_inertia: 2500.0,
+    ///     front_axle: 1.2,
+    ///     rear_axle: 1.5,
+    ///     track: 1.5,
+    ///     wheels: Wheels::all(Wheel::LOCKED),
+    ///     tires: Tires::ORDINARY,
+    /// };
+    /// let slide = Slide { vehicle, ground: Ground::uniform(0.7) };
+    /// let ahead = |speed: f64| Motion { velocity: Xy { x: speed, y: 0.0 }, yaw_rate: 0.0 };
+    /// let evidence = RestEvidence {
+    ///     separation: Pose::default(),
+    ///     rest: slide.to_rest(&Pose::default(), &ahead(10.0)).expect("it stops").pose,
+    ///     position_deviation: Xy { x: 0.3, y: 0.3 },
+    ///     heading_deviation: 0.05,
+    ///     friction_deviation: 0.0,
+    ///     points: Vec::new(),
+    /// };
+    /// // The way is v²/(2μg). About 9 m/s a step leads to 9 + (10² - 9²)/(2 · 9) m/s, with a deviation of μg σ/9.
+    /// let about = slide.separation_about(&evidence, Method::Slide, &ahead(9.0)).expect("it stops");
+    /// assert!((about.motion.velocity.x - (9.0 + 19.0 / 18.0)).abs() < 1e-3);
+    /// assert!((about.covariance.deviations()[0] - 0.7 * 9.80665 * 0.3 / 9.0).abs() < 1e-3);
+    /// ```
     #[must_use]
     pub fn separation_about(&self, evidence: &RestEvidence, method: Method, about: &Motion) -> Option<Separation> {
         match method {

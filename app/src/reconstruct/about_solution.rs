@@ -17,7 +17,7 @@ use crate::issue::{Issue, Issues};
 use crate::units::Measure;
 
 /// Largest number of times that separations are followed anew, about the solution that the ones before lead to.
-const MOST: usize = 12;
+const MOST: usize = 20;
 /// Largest number of times that errors by the friction are weighed anew.
 const MOST_WEIGHTS: usize = 4;
 /// Largest number of times that separations on wheels that roll are taken about the fitted motion.
@@ -39,6 +39,7 @@ pub fn solved(
 ) -> Result<(Question, Answer, Separations), Issues> {
     let mut about = separations.clone();
     let mut weighed = separations.clone();
+    // The motions that separations on wheels that roll are now taken about.
     let mut from = [None, None];
     for tries in 1..=MOST {
         let asked = within_reach(&question.asked);
