@@ -2,7 +2,7 @@
 
 use super::claimed_impulse;
 use super::claims::norm;
-use super::energy_loss::{EnergyLoss, RelativeMotion};
+use super::energy_loss::{EnergyLoss, RelativeMotion, spins};
 use super::format::Digits;
 use super::judge::{ENERGY, Judge, Residual, SPEED};
 use super::key::Key;
@@ -226,13 +226,11 @@ fn most_loss<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
 /// Checks that no impulse of this magnitude P leaves more energy than there was: the relative speed after the impact is at least P / m̄ − v, so that
 /// P² / 2 m̄ − P v is at most what the bodies have as spin, less the loss. All motions tell the impulse itself.
 fn most_impulse<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
-    let before = RelativeMotion::of(&known.one, &known.two, When::Before).zip(EnergyLoss::most(&known.one, &known.two));
-    let (Some(impulse), Some((motion, all)), None) = (claimed_impulse::magnitude(known), before, known.impulse) else { return };
-    let speed = norm(motion.velocity);
+    let before = RelativeMotion::of(&known.one, &known.two, When::Before).zip(spins(&known.one, &known.two, When::Before));
+    let (Some(impulse), Some((motion, spins)), None) = (claimed_impulse::magnitude(known), before, known.impulse) else { return };
     let loss = claimed_loss(known).filter(|_| !known.wall_moves()).unwrap_or(Uncertain::exact(0.0));
-    let spins = all - motion.energy();
-    let (parting, meeting) = (impulse.squared().half() / motion.mass, impulse * speed);
-    let residual = Residual::new(parting - meeting + loss - spins, parting.size.max(meeting.size).max(loss.size).max(all.size));
+    let (parting, meeting) = (impulse.squared().half() / motion.mass, impulse * norm(motion.velocity));
+    let residual = Residual::new(parting - meeting + loss - spins, parting.size.max(meeting.size).max(loss.size).max(spins.size));
     judge.not_above(Rule::Reported, residual.beside(ENERGY), |size, bound| {
         let (impulse, loss, size, bound) = (Digits(impulse.value), Digits(loss.value), Digits(size), Digits(bound));
         format!(

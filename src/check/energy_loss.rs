@@ -80,8 +80,13 @@ impl<const N: usize> RelativeMotion<N> {
     }
 }
 
+/// Returns the kinetic energy of both spins.
+pub(super) fn spins<const N: usize>(one: &Subject<N>, two: &Subject<N>, when: When) -> Option<Uncertain<N>> {
+    Some(one.spin_energy(when)? + two.spin_energy(when)?)
+}
+
 /// Returns the kinetic energy for an observer who moves with the center of mass of the pair or with the fixed body: by König's theorem that of the relative motion, and the spins.
 fn internal<const N: usize>(one: &Subject<N>, two: &Subject<N>, when: When, spin: bool) -> Option<Uncertain<N>> {
-    let spins = if spin { one.spin_energy(when)? + two.spin_energy(when)? } else { Uncertain::exact(0.0) };
+    let spins = if spin { spins(one, two, when)? } else { Uncertain::exact(0.0) };
     Some(RelativeMotion::of(one, two, when)?.energy() + spins)
 }

@@ -335,15 +335,16 @@ pub(super) fn meant_by(header: &Header) -> Vec<String> {
         let given = header.unit.as_deref().into_iter().chain(split.iter().map(|(_, unit)| *unit)).chain(all.iter().copied());
         given.map(str::trim).find(|unit| key.has_unit(unit))
     };
-    let has_any = meant.iter().any(|key| unit_of(key).is_some());
-    let is_weight = all.iter().any(|word| ["weight", "w"].contains(&&*word.to_ascii_lowercase()));
-    let headed = |key: &Key| match unit_of(key) {
+    let headers: Vec<(&Key, Option<&str>)> = meant.iter().map(|key| (key, unit_of(key))).collect();
+    let has_any = headers.iter().any(|(_, unit)| unit.is_some());
+    let is_weight = all.iter().any(|word| [WEIGHT, "w"].contains(&&*word.to_ascii_lowercase()));
+    let headed = |(key, unit): (&Key, Option<&str>)| match unit {
         Some(unit) => format!("{key} [{unit}]"),
         // Taken for a mass, pounds would be kilograms.
         None if is_weight && key.has_unit("kg") => format!("{key} [kg] or [lb]"),
         None => key.to_string(),
     };
-    meant.iter().filter(|key| !has_any || unit_of(key).is_some()).map(headed).collect()
+    headers.into_iter().filter(|(_, unit)| !has_any || unit.is_some()).map(headed).collect()
 }
 
 /// Returns the words of a name: letters apart from digits, and both apart at any other sign.
@@ -376,7 +377,7 @@ const CALLED: &[(&str, &str)] = &[
     ("ofcritical", "impulseratioofcritical"),
     ("law", "tangentiallaw"),
     ("normalangle", "crushplane"),
-    ("weight", "mass"),
+    (WEIGHT, "mass"),
     ("w", "mass"),
     ("w", "yawrate"),
     ("yaw", "heading"),

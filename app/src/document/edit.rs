@@ -186,9 +186,9 @@ impl Document {
         let place = key.rsplit_once('.').filter(|(_, name)| is_bare(name)).and_then(|(table, name)| Some((self.find(table)?, name)));
         let (node, name) = place.ok_or_else(missing)?;
         let (Value::Table(entries), Some('[')) = (&node.value, text[node.span.clone()].chars().next()) else { return Err(missing()) };
-        let by = OTHER_FORMS.iter().filter(|(one, _)| *one == name).find_map(|(_, other)| entries.iter().find(|entry| entry.key == *other));
-        if let Some(by) = by {
-            let issue = Issue::at("edit", key, format!("is given by `{}`; edit the text", by.key));
+        let of_name = FORMS.iter().filter(|forms| forms.contains(&name)).flatten();
+        if let Some(other) = of_name.copied().find(|form| *form != name && entries.iter().any(|entry| entry.key == *form)) {
+            let issue = Issue::at("edit", key, format!("is given by `{other}`; edit the text"));
             return Err(Issues::new(Cause::Input, self.source.clone(), vec![issue]));
         }
         let is_own = |node: &Node| match &node.value {
@@ -210,17 +210,13 @@ struct Number {
     rest: String,
 }
 
-/// Keys beside which another one gives the same in another form.
-const OTHER_FORMS: [(&str, &str); 9] = [
-    ("mass", "weight"),
-    ("weight", "mass"),
-    ("yaw_inertia", "radius_of_gyration"),
-    ("radius_of_gyration", "yaw_inertia"),
-    ("speed", "velocity"),
-    ("velocity", "speed"),
-    ("crush_plane", "surfaces"),
-    ("impulse_ratio", "friction"),
-    ("friction", "impulse_ratio"),
+/// Keys that give the same in two forms, of which a table has one.
+const FORMS: [[&str; 2]; 5] = [
+    ["mass", "weight"],
+    ["yaw_inertia", "radius_of_gyration"],
+    ["speed", "velocity"],
+    ["crush_plane", "surfaces"],
+    ["impulse_ratio", "friction"],
 ];
 
 /// Returns `true` for a key that needs no quotes in TOML.

@@ -4,7 +4,7 @@ use planar_impact::post_impact::Separation;
 use planar_impact::reconstruct::{GrowingError, Measurand, ReconstructionProblem, Solution, Variable};
 use planar_impact::{Motion, Side, Xy};
 
-use super::from_rest::{Separations, outputs};
+use super::from_rest::{Separations, are_near, outputs};
 use super::question::Question;
 use crate::notice::Notice;
 
@@ -68,10 +68,7 @@ pub fn with_friction_at(separations: &Separations, motions: &[Motion; 2], gyrati
 pub fn are_alike(one: Option<&Separation>, other: Option<&Separation>) -> bool {
     one.zip(other).is_none_or(|(one, other)| {
         let sds = one.covariance.deviations();
-        let is_near = |one: Motion, other: Motion| {
-            one.components().into_iter().zip(other.components()).zip(sds).all(|((one, other), sd)| (one - other).abs() <= ALIKE * sd)
-        };
-        is_near(one.motion, other.motion) && is_near(one.by_friction, other.by_friction)
+        [[one.motion, other.motion], [one.by_friction, other.by_friction]].into_iter().all(|pair| are_near(pair, sds, ALIKE))
     })
 }
 

@@ -44,8 +44,7 @@ impl<'a> Followed<'a> {
     pub fn about(&self, motion: &Motion) -> Option<Separation> {
         let rest = self.with(&[]).filter(|rest| !rest.slide.vehicle.is_locked())?;
         let evidence = rest.evidence.as_ref().filter(|evidence| evidence.points.is_empty())?;
-        let separation = &rest.slide.separation_about(evidence, rest.method, motion).filter(Separation::has_deviations)?;
-        Followed { separation, ..*self }.widened().ok()
+        rest.slide.separation_about(evidence, rest.method, motion).filter(Separation::has_deviations)
     }
 
     /// Returns `true` if the vehicle that slides, or its pose at separation, changes with a parameter.

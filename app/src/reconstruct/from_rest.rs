@@ -124,6 +124,11 @@ pub(super) fn speed_of(separation: &Separation) -> [f64; 2] {
     [separation.motion.velocity.length(), libm::hypot(x, y)]
 }
 
+/// Returns `true` if two motions differ by no more than a share of standard deviations.
+pub(super) fn are_near([one, other]: [Motion; 2], sds: [f64; 3], share: f64) -> bool {
+    one.components().into_iter().zip(other.components()).zip(sds).all(|((one, other), sd)| (one - other).abs() <= share * sd)
+}
+
 /// Returns a warning of a separation that is too uncertain: a slide that is not much longer than the uncertainty of the rest position determines neither its speed,
 /// which grows with the root of the way, nor its direction.
 fn of_short_slide(side: Side, separation: &Separation, is_by_way: bool) -> Option<Notice> {

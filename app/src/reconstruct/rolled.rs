@@ -7,7 +7,7 @@ use planar_impact::post_impact::{Miss, Separation};
 use planar_impact::{Motion, Side, Xy};
 
 use super::followed::Followed;
-use super::from_rest::{Separations, key};
+use super::from_rest::{Separations, are_near, key};
 use crate::case::{Case, Inputs, vehicle_number};
 use crate::message::Message;
 use crate::notice::Notice;
@@ -53,9 +53,10 @@ impl Rolled {
         let [start, end] = [from, fitted].map(|motion| motion.components());
         let [x, y, yaw_rate] = std::array::from_fn(|i| if share == 1.0 { end[i] } else { start[i] + share * (end[i] - start[i]) });
         let about = Motion { velocity: Xy { x, y }, yaw_rate };
-        let separation = followed.about(&about)?;
-        let missed = separation.fit.as_ref().filter(|fit| fit.chi_square <= MOST_MISSED)?.miss;
-        let separation = Separation { fit: followed.separation.fit.clone(), ..separation };
+        let there = followed.about(&about)?;
+        let missed = there.fit.as_ref().filter(|fit| fit.chi_square <= MOST_MISSED)?.miss;
+        let widened = Followed { separation: &there, ..*followed }.widened().ok()?;
+        let separation = Separation { fit: followed.separation.fit.clone(), ..widened };
         Some(Rolled { separation, about, missed, is_fitted: share == 1.0 })
     }
 
@@ -63,9 +64,7 @@ impl Rolled {
     pub fn notice(&self, side: Side, at_rest: &Separation) -> Option<Notice> {
         /// Standard deviations.
         const MATTERS: f64 = 0.1;
-        let sds = at_rest.covariance.deviations();
-        let mut apart = self.separation.motion.components().into_iter().zip(at_rest.motion.components()).zip(sds);
-        if apart.all(|((one, other), sd)| (one - other).abs() <= MATTERS * sd) {
+        if are_near([self.separation.motion, at_rest.motion], at_rest.covariance.deviations(), MATTERS) {
             return None;
         }
         let message = format!("vehicle.{}: its separation is weighed about the fitted motion, whose slide ends ", vehicle_number(side));

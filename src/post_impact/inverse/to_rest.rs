@@ -109,7 +109,7 @@ impl<'a> ToRest<'a> {
         let Miss { position, heading } = miss;
         let of_rest = [position.x, position.y, heading].into_iter().zip(self.deviations()).map(|(miss, sd)| miss / sd);
         let residuals: Vec<f64> = of_rest.chain(passages.iter().flat_map(Passage::residuals)).collect();
-        let sum_of_squares = residuals.iter().map(|residual| residual * residual).sum();
+        let sum_of_squares = sum_of_squares(&residuals);
         let mut nearest = self.nearest.borrow_mut();
         let moves = !self.slide.is_at_rest(&motion(unknowns));
         if moves && nearest.is_none_or(|nearest| sum_of_squares < nearest.sum_of_squares) {
@@ -119,7 +119,7 @@ impl<'a> ToRest<'a> {
     }
 
     fn sum_of_squares(&self, unknowns: &[f64]) -> Result<f64, NoRest> {
-        Ok(self.residuals(unknowns)?.iter().map(|residual| residual * residual).sum())
+        Ok(sum_of_squares(&self.residuals(unknowns)?))
     }
 
     /// Returns the reason for finding nothing: the miss of the best motion, or, if no motion came to rest, the reason of the first.
@@ -212,21 +212,13 @@ impl<'a> ToRest<'a> {
         (left <= SAME).then_some(found)
     }
 
-    /// Returns the step of Gauss and Newton from a motion.
-    fn step(&self, unknowns: &[f64]) -> Option<[f64; 3]> {
-        let residuals = self.residuals(unknowns).ok()?;
-        let slopes = self.slopes(unknowns, FINE);
-        let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
-        let step = least_squares::SingularValues::of(jacobian)?.solve(&DVector::from_vec(residuals), 0.0);
-        Some(core::array::from_fn(|k| -step[k] * SCALES[k]))
-    }
-
     /// Returns what the evidence says of the separation to first order about a motion: the next step from it, with the covariance there.
     pub(super) fn about(&self, known: &Motion) -> Option<Separation> {
         let unknowns = known.components();
-        let sum_of_squares = self.sum_of_squares(&unknowns).ok()?;
-        let step = self.step(&unknowns)?;
-        let there = self.separation(&Found { unknowns: unknowns.to_vec(), sum_of_squares, iterations: 0 }).ok()?;
+        let (residuals, slopes) = (self.residuals(&unknowns).ok()?, self.slopes(&unknowns, FINE));
+        let found = Found { unknowns: unknowns.to_vec(), sum_of_squares: sum_of_squares(&residuals), iterations: 0 };
+        let there = self.separation_by(&found, &slopes).ok()?;
+        let step = step(residuals, &slopes)?;
         let next: [f64; 3] = core::array::from_fn(|k| unknowns[k] + step[k]);
         next.iter().all(|number| number.is_finite()).then(|| Separation { motion: motion(&next), ..there })
     }
@@ -235,7 +227,8 @@ impl<'a> ToRest<'a> {
     fn last_steps(&self, mut found: Found) -> (Found, f64) {
         let mut left = f64::INFINITY;
         for _ in 0..LAST_STEPS {
-            let Some(step) = self.step(&found.unknowns) else { break };
+            let Ok(residuals) = self.residuals(&found.unknowns) else { break };
+            let Some(step) = step(residuals, &self.slopes(&found.unknowns, FINE)) else { break };
             left = step.iter().zip(SCALES).fold(0.0, |most: f64, (by, scale)| most.max((by / scale).abs()));
             if left <= NO_STEP {
                 break;
@@ -251,9 +244,14 @@ impl<'a> ToRest<'a> {
 
     /// Returns the separation that a search ended in.
     pub(super) fn separation(&self, found: &Found) -> Result<Separation, NoSeparation> {
+        self.separation_by(found, &self.slopes(&found.unknowns, FINE))
+    }
+
+    /// The same by the slopes there.
+    fn separation_by(&self, found: &Found, slopes: &[Slopes]) -> Result<Separation, NoSeparation> {
         let unknowns = &found.unknowns;
         let (miss, passages) = self.missed(unknowns).map_err(NoSeparation::NoRest)?;
-        let Uncertain { covariance, by_friction } = uncertainty(&self.slopes(unknowns, FINE), self.evidence)?;
+        let Uncertain { covariance, by_friction } = uncertainty(slopes, self.evidence)?;
         let points: Vec<NearestPlace> = passages.iter().map(Passage::nearest_place).collect();
         let (degrees_of_freedom, others, iterations) = (points.len(), Vec::new(), found.iterations);
         let fit =
@@ -261,6 +259,17 @@ impl<'a> ToRest<'a> {
         let fit = fit.with_chi_square(found.sum_of_squares);
         Ok(Separation { motion: motion(unknowns), covariance, by_friction, fit: Some(fit) })
     }
+}
+
+/// Returns the step of Gauss and Newton by the residuals of a motion and their slopes.
+fn step(residuals: Vec<f64>, slopes: &[Slopes]) -> Option<[f64; 3]> {
+    let jacobian = DMatrix::from_fn(slopes.len(), 3, |i, k| slopes[i][k] * SCALES[k]);
+    let step = least_squares::SingularValues::of(jacobian)?.solve(&DVector::from_vec(residuals), 0.0);
+    Some(core::array::from_fn(|k| -step[k] * SCALES[k]))
+}
+
+fn sum_of_squares(residuals: &[f64]) -> f64 {
+    residuals.iter().map(|residual| residual * residual).sum()
 }
 
 impl Residuals for ToRest<'_> {
