@@ -92,12 +92,12 @@ impl<T: Real + Ordered<Mask = bool>> CrushPlaneBracket<T> {
 
     /// Returns the lower end.
     pub fn lower(&self) -> T {
-        T::select(self.two.less(&self.one), self.two.clone(), self.one.clone())
+        self.one.clone().smaller(self.two.clone())
     }
 
     /// Returns the upper end.
     pub fn upper(&self) -> T {
-        T::select(self.two.less(&self.one), self.one.clone(), self.two.clone())
+        self.two.clone().larger(self.one.clone())
     }
 }
 

@@ -49,7 +49,7 @@ mod tally;
 
 pub use bounds::{Bounded, Bounds, Enclosure, NoBounds, RefusedPart, Search, bounds, bounds_of};
 pub use correlation::NotACorrelation;
-pub use linear::{Linear, SecondOrder};
+pub use linear::{Linear, SecondOrder, SlopesAndValues};
 pub use mapping::{Direct, Mapping};
 pub use model::{Bend, Mapped, Model, Slope};
 pub use monte_carlo::{Estimated, MonteCarlo, QUANTILES, Sampled, SampledOutput, Threshold};

@@ -155,8 +155,8 @@ impl Plan {
         self.is_checked
     }
 
-    /// Returns what a reader of the answer must know: which uncertain numbers of the case rows use at their nominal values, because no column gives them, and
-    /// which columns pass through although they may be meant as inputs.
+    /// Returns what a reader of the answer must know: which uncertain numbers of the case rows use at their nominal values, because no column gives them, which
+    /// units are assumed, and which columns pass through although they may be meant as inputs.
     pub fn notices(&self, base: Option<&Case>) -> Vec<Notice> {
         let is_given = |parameter: Parameter| self.inputs.iter().any(|column| column.key.replaces(parameter));
         let uncertain = base.into_iter().flat_map(|case| &case.uncertain.inputs).map(|input| input.parameter);
@@ -191,8 +191,9 @@ impl Plan {
         // A few degrees are as plausible in radians. Where others have a unit, one without may have been forgotten.
         let some_have = self.inputs.iter().any(InputColumn::has_unit);
         let assumed: Vec<(&InputColumn, &str)> = self.inputs.iter().filter_map(|column| Some((column, column.assumed_unit()?))).collect();
+        let is_in_radians = |unit: &str| [Kind::ANGLE.si, Kind::YAW_RATE.si].contains(&unit);
         let angles: Vec<String> =
-            assumed.iter().filter(|(_, unit)| *unit == Kind::ANGLE.si).map(|(column, _)| column.key.to_string()).collect();
+            assumed.iter().filter(|(_, unit)| is_in_radians(unit)).map(|(column, _)| column.key.to_string()).collect();
         let assumed = match &assumed[..] {
             [(first, _), ..] if some_have => {
                 let all: Vec<String> = assumed.iter().map(|(column, unit)| format!("{} [{unit}]", column.key)).collect();
@@ -201,8 +202,7 @@ impl Plan {
             }
             _ => angles.first().map(|first| {
                 let message = format!(
-                    "read in {} for want of a unit: {}; write [deg] behind the name of one in degrees",
-                    Kind::ANGLE.si,
+                    "read in radians for want of a unit: {}; write [deg] or [deg/s] behind the name of one in degrees",
                     angles.join(", ")
                 );
                 Notice::note("unit-assumed", first.clone(), message)
@@ -211,8 +211,14 @@ impl Plan {
         // Rows may give a number of their own.
         let ratio = Parameter::Input(Input::ImpulseRatio);
         let follows = base.filter(|_| self.wrt.contains(&ratio) && !is_given(ratio)).and_then(ratio_note);
+        // What was assumed of the numbers of the case that no column replaces.
+        let is_of_units = |notice: &&Notice| ["unit-assumed", "pound-force-assumed", "mixed-units"].contains(&notice.code);
+        let is_replaced = |path: &str| self.inputs.iter().any(|column| path.starts_with(&column.key.to_string()));
+        let of_case = base.into_iter().flat_map(|case| &case.notices.0).filter(is_of_units);
+        let of_case = of_case.filter(|notice| !is_replaced(&notice.path)).cloned();
         at_nominal_values(uncertain.filter(|parameter| !is_given(*parameter)))
             .into_iter()
+            .chain(of_case)
             .chain(follows)
             .chain(unread)
             .chain(in_si)

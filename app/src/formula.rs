@@ -403,7 +403,7 @@ mod tests {
                 "schema = 1\n[[vehicle]]\nmass = 1000\nheading = 0\nimpact_center = [2, 0.3]\n{vehicle}\n[[vehicle]]\nbarrier = true\n\
                  [contact]\ncrush_plane = 0\n{contact}\n"
             );
-            Case::parse(crate::Source { name: "case.toml".into(), text }).expect("a case")
+            Case::parse(crate::Source::new("case.toml", text)).expect("a case")
         };
         let through = case("radius_of_gyration = 1.4\nspeed = 15", "friction = 0.3\nrestitution = 0.1");
         let plain = case("yaw_inertia = 1900\nvelocity = [15, 0]", "impulse_ratio = 0.05\nrestitution = 0.1");

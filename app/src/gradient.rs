@@ -346,7 +346,7 @@ mod tests {
     #[test]
     fn rounding_has_no_effect() {
         let text = crate::template::of("t-bone").expect("a kind").to_owned();
-        let case = Case::parse(Source { name: "case".to_owned(), text }).unwrap_or_else(|issues| panic!("{issues}"));
+        let case = Case::parse(Source::new("case", text)).unwrap_or_else(|issues| panic!("{issues}"));
         let answer = gradient(&case, &Options::default(), &crate::Uncontrolled).unwrap_or_else(|issues| panic!("{issues}"));
         let output = CaseOutput::Impact(planar_impact::Output::Loss);
         let mut derivatives = answer.of.get(&output.to_string()).expect("an output").clone();
@@ -363,7 +363,7 @@ mod tests {
     #[test]
     fn progress_counts_every_derivative() {
         let text = crate::template::of("t-bone").expect("a kind").to_owned();
-        let case = Case::parse(Source { name: "case".to_owned(), text }).unwrap_or_else(|issues| panic!("{issues}"));
+        let case = Case::parse(Source::new("case", text)).unwrap_or_else(|issues| panic!("{issues}"));
         for (second, total) in [(false, 3), (true, 9)] {
             let named = |names: &[&str]| Selection::Named(names.iter().map(|name| (*name).to_owned()).collect());
             let (options, steps) = (Options { of: named(&["T_L"]), wrt: named(&["e", "Gamma", "m1"]), second }, Noted::default());

@@ -194,7 +194,7 @@ mod tests {
 
     #[test]
     fn issues_are_in_file_order_and_know_their_lines() {
-        let source = Source { name: "case.toml".to_owned(), text: "a = 1\nb = 2\n".to_owned() };
+        let source = Source::new("case.toml", "a = 1\nb = 2\n");
         let issue = |span, path: &str| Issue { span, ..Issue::at("invalid", path, "it is wrong").with_help("mend it") };
         let issues = Issues::new(Cause::Input, source.into(), vec![issue(Some(6..7), "b"), issue(Some(0..1), "a"), issue(None, "")]);
         let lines: Vec<_> = issues.list().iter().map(|issue| issues.line(issue)).collect();

@@ -73,7 +73,10 @@ impl std::fmt::Display for QuantityError {
 ///
 /// Returns an error if the number or the unit cannot be read, the unit measures something else, or the value is outside the kind's domain.
 pub fn parse(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
-    let text = text.trim();
+    read(text.trim(), kind).map_err(|error| of_range(text.trim(), kind).unwrap_or(error))
+}
+
+fn read(text: &str, kind: Kind) -> Result<Quantity, QuantityError> {
     if text.is_empty() {
         return Err(QuantityError::new(format!("the string is empty; expected {}", kind.wanted())));
     }
@@ -267,6 +270,21 @@ impl Conversion {
     pub fn of_si(self, si: f64) -> f64 {
         self.size.map_or(f64::NAN, |size| Wide::new(si).over(size).value())
     }
+}
+
+/// Returns the error of two numbers that are the ends of a range, such as `40-45 mph`.
+fn of_range(text: &str, kind: Kind) -> Option<QuantityError> {
+    let ends = ["-", "–", "—", "...", "..", " to "].iter().flat_map(|between| text.match_indices(between)).find_map(|(at, between)| {
+        let (least, greatest) = (text[..at].trim(), text[at + between.len()..].trim());
+        let is_without_unit = number::split(least).is_ok_and(|(_, unit)| unit.is_empty());
+        let (_, unit) = unit_of(greatest)?;
+        let least = if is_without_unit { format!("{least} {unit}") } else { least.to_owned() };
+        let [from, to] = [least.trim(), greatest].map(|end| read(end, kind).ok().map(|end| end.si));
+        (from? < to?).then(|| [least.trim().to_owned(), greatest.to_owned()])
+    });
+    let [least, greatest] = ends?;
+    let help = format!("where an input may be uncertain, write {{ min = \"{least}\", max = \"{greatest}\" }}");
+    Some(QuantityError::with_help(format!("{} is a range, and not one number", excerpt(text)), help))
 }
 
 fn without_unit(text: &str, kind: Kind) -> QuantityError {

@@ -167,6 +167,7 @@ fn by_separations(
     if answer.is_one() {
         if question.case.model.is_momentum() {
             notices.0.extend(solved.unusual_motions());
+            notices.0.extend(without_rotation(case));
         } else {
             diagnostics = diagnostics::of(&question, &solved, answer.best());
             crash3 = through_crash3(&solved, answer.best(), &mut notices.0);
@@ -185,8 +186,8 @@ fn by_separations(
         }
         notices.0.extend(by_slides);
     }
-    let of: Vec<Measurand> =
-        question.asked.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).chain(question.asked.derived()).collect();
+    let derived = question.asked.derived().filter(|of| !question::has_rotation(*of, case));
+    let of: Vec<Measurand> = question.asked.unknowns.iter().map(|unknown| Measurand::Variable(unknown.of)).chain(derived).collect();
     let intervals = question.asked.intervals_while(&answer, options.level, &of, &|done, total| control.goes_on(done, total));
     let intervals = intervals.ok_or_else(Issues::interrupted)?;
     notices.0.extend(dependences::bends(case, &question, answer.best(), &there, &intervals));
@@ -266,6 +267,12 @@ fn without_slope(question: &Question, best: &Solution) -> Option<Notice> {
     Some(Notice::note("no-slope", path, message))
 }
 
+/// Notes that the energies of point masses are those of translation.
+fn without_rotation(case: &Case) -> Option<Notice> {
+    let message = "the energies are those of translation alone: a rotation after the impact would make the loss smaller; it has no interval, and is no evidence, without `yaw_inertia` and `impact_center` of both vehicles";
+    (!case.model.is_angular()).then(|| Notice::note("without-rotation", "energy", message))
+}
+
 /// Returns the speeds that momentum alone gives, if the evidence has the velocities after the impact and both speeds are unknown.
 fn by_momentum(question: &Question) -> Option<Notice> {
     /// Least sine of the angle between the headings: nearly parallel ones leave one speed open.
@@ -335,7 +342,7 @@ mod tests {
     fn a_question_is_checked_before_slides_are_searched_for() {
         let case = |more: &str| {
             let text = format!("{}\n{more}", include_str!("../../cli/examples/to-rest.toml"));
-            Case::parse(Source { name: "to-rest.toml".to_owned(), text }).expect("a case")
+            Case::parse(Source::new("to-rest.toml", text)).expect("a case")
         };
         let unknown = "[unknown]\nvehicle.1.speed = { start = \"20 m/s\" }\nvehicle.2.speed = { start = \"10 m/s\" }\n";
         for (more, probability, code) in [("", None, "nothing-unknown"), (unknown, Some("vehicle.1.speed > 3 kg"), "call")] {

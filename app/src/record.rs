@@ -338,7 +338,7 @@ mod tests {
     fn recordings_and_films_are_steps() {
         let rows: String = (-12..=12).map(|i: i32| format!("{},{}\n", 10 * i, if i < 0 { -100 * i } else { 15 * i })).collect();
         let of = |name: &str| {
-            let source = Source { name: name.to_owned(), text: format!("time [ms],distance [mm]\n{rows}") };
+            let source = Source::new(name, format!("time [ms],distance [mm]\n{rows}"));
             Recording::parse_by(source, |_| panic!("it names no file")).expect("a film")
         };
         let steps = Noted::default();

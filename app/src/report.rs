@@ -124,7 +124,7 @@ impl CaseReport {
 pub struct Identity {
     /// The file as it was given.
     pub source: Source,
-    /// Its SHA-256, in hexadecimal digits.
+    /// The SHA-256 of its content, in hexadecimal digits.
     pub sha256: String,
     /// The version of the program.
     pub version: &'static str,
@@ -172,7 +172,7 @@ pub struct OtherLaw {
 impl Identity {
     /// Identifies a file.
     pub fn of(source: &Source) -> Self {
-        let digits = Sha256::digest(source.text.as_bytes());
+        let digits = Sha256::digest(source.content().as_bytes());
         let sha256 = digits.iter().map(|byte| format!("{byte:02x}")).collect();
         Identity { source: source.clone(), sha256, version: env!("CARGO_PKG_VERSION") }
     }

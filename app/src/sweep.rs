@@ -114,9 +114,12 @@ pub fn sweep(case: &Case, options: &Options, control: &dyn Control) -> Result<An
     Ok(case.answer(sweep, notices))
 }
 
-/// Warns of sizes at the ends of the ranges that no road vehicle has.
+/// Notes units that are assumed, and warns of sizes at the ends of the ranges that no road vehicle has.
 fn notices(case: &Case, ranges: &[Range]) -> Vec<Notice> {
-    let mut found: Vec<Notice> = Vec::new();
+    let assumed = ranges.iter().filter(|range| range.is_unit_assumed).map(|Range { parameter, unit, .. }| {
+        Notice::note("unit-assumed", parameter.to_string(), format!("--vary {parameter} has no unit: {unit} assumed"))
+    });
+    let mut found: Vec<Notice> = assumed.collect();
     for at in [<[f64]>::first, <[f64]>::last] {
         let values: Vec<_> = ranges.iter().filter_map(|range| Some((range.parameter, *at(&range.si)?))).collect();
         let inputs = case.inputs.set_all(&values);

@@ -263,8 +263,9 @@ impl<'a> Question<'a> {
         if !has_means || (!self.asks(Method::Linear) && !self.asks(Method::SecondOrder)) {
             return;
         }
+        let switch = self.of_switch();
         for (of, to) in self.outputs.iter().zip(&mut found.of) {
-            let refused = match self.expand_one(*of, to, &mut found.notices.0) {
+            let refused = match self.expand_one(*of, to, switch.is_none(), &mut found.notices.0) {
                 Ok(()) => continue,
                 Err(refusals) => refusals,
             };
@@ -272,7 +273,7 @@ impl<'a> Question<'a> {
             found.notices.0.push(Notice::warning("means-refused", "", message.join(wording::reasons(&refused))));
             break;
         }
-        found.notices.0.extend(self.of_switch());
+        found.notices.0.extend(switch);
     }
 
     /// Warns if the friction may hold, and may give way, within the uncertainty, where derivatives are those of one side.
@@ -316,8 +317,14 @@ impl<'a> Question<'a> {
         heavy.map(|(parameter, _)| *parameter)
     }
 
-    /// Adds what derivatives say of an output.
-    fn expand_one(&self, of: CaseOutput, to: &mut OutputUncertainty, notices: &mut Vec<Notice>) -> Result<(), Refusals> {
+    /// Adds what derivatives say of an output, with a warning of a corner unless one of its reason stands for all outputs.
+    fn expand_one(
+        &self,
+        of: CaseOutput,
+        to: &mut OutputUncertainty,
+        warns_of_corner: bool,
+        notices: &mut Vec<Notice>,
+    ) -> Result<(), Refusals> {
         /// Most inputs whose curvature judges the slopes: it grows with their square.
         const MOST_BENT: usize = 64;
         let is_judged = self.asks(Method::Linear) && self.parameters.len() <= MOST_BENT;
@@ -325,7 +332,12 @@ impl<'a> Question<'a> {
         if self.asks(Method::Linear) {
             let linear = self.uncertain.linear(of)?;
             let bent = second.as_ref().filter(|_| is_judged).and_then(|second| second.as_ref().ok());
-            let bent = bent.filter(|second| doubts::is_bent(&linear, second));
+            let bent = bent.filter(|second| doubts::is_bent(&linear, second)).map(|second| doubts::linear_bends(of, linear.sd, second.sd));
+            let at_corner = || {
+                let beside = self.uncertain.beside_means(of, &linear);
+                doubts::is_at_corner(&linear, &beside).then(|| doubts::linear_at_corner(of, &beside))
+            };
+            let doubt = bent.or_else(|| at_corner().filter(|_| warns_of_corner));
             let effect = |(derivative, number): (&f64, &library::UncertainNumber)| {
                 if *derivative == 0.0 { 0.0 } else { positive_zero(derivative * number.sd()) }
             };
@@ -335,9 +347,9 @@ impl<'a> Question<'a> {
                 sd: linear.sd,
                 shares: self.named(linear.shares),
                 // Of slopes that say little of the deviation, these say nothing.
-                sd_if_halved: self.named(linear.with_half.into_iter().map(|sd| if bent.is_some() { f64::NAN } else { sd })),
+                sd_if_halved: self.named(linear.with_half.into_iter().map(|sd| if doubt.is_some() { f64::NAN } else { sd })),
             });
-            notices.extend(bent.map(|second| doubts::linear_bends(of, linear.sd, second.sd)));
+            notices.extend(doubt);
         }
         if let Some(second) = second.filter(|_| self.asks(Method::SecondOrder)) {
             let library::SecondOrder { mean, sd, skewness } = second?;

@@ -23,7 +23,7 @@
 //!     crush_plane = 0
 //!     restitution = 0.1
 //! "#;
-//! let case = Case::parse(Source { name: "barrier.toml".to_owned(), text: case.to_owned() })?;
+//! let case = Case::parse(Source::new("barrier.toml", case))?;
 //! let speeds = Float64Array::from(vec![Some(54.0), None, Some(-3.6)]);
 //! let table = RecordBatch::try_from_iter([("vehicle.1.speed [km/h]", Arc::new(speeds) as _)])?;
 //!

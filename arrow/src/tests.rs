@@ -19,7 +19,7 @@ use crate::{Options, Plan};
 fn case() -> Case {
     let text = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = 15\nimpact_center = [2, 0.3]\n[[vehicle]]\nbarrier = true\n\
                 [contact]\ncrush_plane = 0\nrestitution = 0.1\n";
-    Case::parse(Source { name: "case.toml".to_owned(), text: text.to_owned() }).expect("a case")
+    Case::parse(Source::new("case.toml", text)).expect("a case")
 }
 
 fn of(names: &[&str]) -> Options {

@@ -122,7 +122,7 @@ mod tests {
     use planar_impact_app::{Cause, Source};
 
     fn render(text: &str, spans: impl IntoIterator<Item = Range<usize>>) -> String {
-        let source = Source { name: "case.toml".to_owned(), text: text.to_owned() };
+        let source = Source::new("case.toml", text);
         let issue = |span: Range<usize>| Issue { span: Some(span), ..Issue::at("invalid", "a.b", "is wrong").with_help("try this") };
         super::render(&Issues::new(Cause::Input, source.into(), spans.into_iter().map(issue).collect()), Units::Si, false)
     }
@@ -190,7 +190,7 @@ error: a.b: is wrong
     #[test]
     fn nothing_that_a_terminal_acts_on_is_printed() {
         let bad = "\u{1b}[31m\u{9b}\u{85}\u{2028}\u{61c}\u{202e}";
-        let source = Source { name: format!("a{bad}"), text: format!("x{bad} = {bad}") };
+        let source = Source::new(format!("a{bad}"), format!("x{bad} = {bad}"));
         let issue = Issue { span: Some(0..3), ..Issue::at("invalid", format!("k{bad}"), format!("m{bad}")).with_help(format!("h{bad}")) };
         let shown = super::render(&Issues::new(Cause::Input, source.into(), vec![issue]), Units::Si, false);
         assert!(shown.chars().all(|c| c == '\n' || !planar_impact_app::plain_text::is_active(c)), "{shown:?}");

@@ -370,5 +370,5 @@ pub fn text(data: &[u8]) {
 
 /// The text of a case file, for other targets.
 pub fn source(name: &str, text: String) -> Source {
-    Source { name: name.to_owned(), text }
+    Source::new(name, text)
 }

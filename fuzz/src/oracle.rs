@@ -305,7 +305,7 @@ mod tests {
     const CASE: &str = include_str!("../../cli/examples/position-a.toml");
 
     fn solved(text: &str) -> (Collision, Value) {
-        let case = Case::parse(Source { name: "case.toml".to_owned(), text: text.to_owned() }).expect("a case");
+        let case = Case::parse(Source::new("case.toml", text)).expect("a case");
         let answer = solve::solve(&case, &(), &Uncontrolled).expect("an answer");
         (case.collision, serde_json::from_str(&json::text(&answer, Layout::Pretty).expect("JSON")).expect("JSON"))
     }

@@ -38,7 +38,7 @@ fn answered(path: &Path, case: &Case) -> Result<Answered, Issues> {
 /// The case that supplies what no column has.
 fn base() -> Case {
     let text = include_str!("../../cli/examples/position-a.toml").to_owned();
-    Case::parse(Source { name: "case.toml".to_owned(), text }).expect("an example")
+    Case::parse(Source::new("case.toml", text)).expect("an example")
 }
 
 fn temporary(extension: &str) -> tempfile::NamedTempFile {

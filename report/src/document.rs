@@ -202,7 +202,7 @@ fn embedded(identity: &Identity, named: &[Source]) -> Vec<Embedded> {
             _ if source.name.ends_with(".csv") => "text/csv",
             _ => "application/toml",
         };
-        Embedded { id, name, media_type, text: source.text.clone() }
+        Embedded { id, name, media_type, text: source.content().into_owned() }
     };
     let others = (1..).zip(named).map(|(number, source)| of(format!("file-{number}"), Some(source.name.clone()), source));
     std::iter::once(of("case".to_owned(), None, &identity.source)).chain(others).collect()

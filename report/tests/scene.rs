@@ -75,7 +75,7 @@ impl Random {
 
     /// The case, if the physics accepts it.
     fn case(&self) -> Option<(Case, Answer<Scene>)> {
-        let case = Case::parse(Source { name: "random.toml".to_owned(), text: self.text() }).expect("a readable file");
+        let case = Case::parse(Source::new("random.toml", self.text())).expect("a readable file");
         let answer = draw(&case, &(), &Uncontrolled).ok()?;
         Some((case, answer))
     }
@@ -265,7 +265,7 @@ fn drawings_have_the_signs_of_the_numbers_and_of_their_mirror_images() {
 fn altered(from: &str, to: &str) -> (Answer<Scene>, String) {
     let text = include_str!("../../cli/examples/position-a.toml");
     assert_eq!(text.matches(from).count(), 1, "{from}");
-    let case = Case::parse(Source { name: "altered.toml".to_owned(), text: text.replace(from, to) }).expect("a readable file");
+    let case = Case::parse(Source::new("altered.toml", text.replace(from, to))).expect("a readable file");
     let answer = draw(&case, &(), &Uncontrolled).expect("a possible collision");
     let svg = scene(&answer, Units::Us);
     (answer, svg)
@@ -274,7 +274,7 @@ fn altered(from: &str, to: &str) -> (Answer<Scene>, String) {
 #[test]
 fn an_uncertain_speed_has_a_band_along_its_arrow() {
     let text = include_str!("../../cli/examples/position-a.toml").replacen("40 ft/s", "40 ft/s ± 4 ft/s", 1);
-    let case = Case::parse(Source { name: "uncertain.toml".to_owned(), text }).expect("a readable file");
+    let case = Case::parse(Source::new("uncertain.toml", text)).expect("a readable file");
     let svg = scene(&draw(&case, &(), &Uncontrolled).expect("a possible collision"), Units::Us);
     let page = Document::parse(&svg).expect("well-formed");
     let root = page.root_element();
@@ -293,7 +293,7 @@ fn an_uncertain_speed_has_a_band_along_its_arrow() {
 fn uncertain_inputs_have_an_ellipse_at_the_tip_of_the_velocity_after() {
     // Of both speeds, one after the other in the file.
     let text = include_str!("../../cli/examples/position-a.toml").replace("40 ft/s", "40 ft/s ± 4 ft/s");
-    let case = Case::parse(Source { name: "uncertain.toml".to_owned(), text }).expect("a readable file");
+    let case = Case::parse(Source::new("uncertain.toml", text)).expect("a readable file");
     let answer = draw(&case, &(), &Uncontrolled).expect("a possible collision");
     let svg = scene(&answer, Units::Us);
     let page = Document::parse(&svg).expect("well-formed");
@@ -321,7 +321,7 @@ fn uncertain_inputs_have_an_ellipse_at_the_tip_of_the_velocity_after() {
 #[test]
 fn a_rest_position_has_two_standard_deviations_around_it() {
     let text = include_str!("../../cli/examples/to-rest.toml");
-    let case = Case::parse(Source { name: "to-rest.toml".to_owned(), text: text.to_owned() }).expect("a readable file");
+    let case = Case::parse(Source::new("to-rest.toml", text)).expect("a readable file");
     let answer = draw(&case, &(), &Uncontrolled).expect("a possible collision");
     let svg = scene(&answer, Units::Si);
     let page = Document::parse(&svg).expect("well-formed");
@@ -396,7 +396,7 @@ fn walls_are_within_their_frames() {
             between(-3.1, 3.1),
             between(0.0, 0.3),
         );
-        let case = Case::parse(Source { name: "barrier.toml".to_owned(), text }).expect("a readable file");
+        let case = Case::parse(Source::new("barrier.toml", text)).expect("a readable file");
         let Ok(answer) = draw(&case, &(), &Uncontrolled) else { continue };
         let svg = scene(&answer, Units::Si);
         let page = Document::parse(&svg).expect("well-formed");
@@ -417,7 +417,7 @@ fn walls_are_within_their_frames() {
 
 /// Asserts that the panels of a case are framed.
 fn assert_framed(text: &str) {
-    let case = Case::parse(Source { name: "framed.toml".to_owned(), text: text.to_owned() }).expect("a readable file");
+    let case = Case::parse(Source::new("framed.toml", text)).expect("a readable file");
     let svg = scene(&draw(&case, &(), &Uncontrolled).expect("a possible collision"), Units::Si);
     all_panels_are_framed(Document::parse(&svg).expect("well-formed").root_element());
 }

@@ -43,9 +43,7 @@ impl<T: Real> StiffnessCovariance<T> {
     pub fn correlation(&self) -> T {
         let correlation = self.between.clone() / (self.onset.clone().square_root() * self.slope.clone().square_root());
         // With A held they are one number, and rounding may lead beyond.
-        let (least, most) = (T::int(-1), T::int(1));
-        let at_most = T::select(most.less(&correlation), most, correlation);
-        T::select(at_most.less(&least), least, at_most)
+        correlation.smaller(T::int(1)).larger(T::int(-1))
     }
 }
 

@@ -37,8 +37,7 @@ impl<T: Ordered<Mask = bool>> Noise<T> {
     pub fn variance_of_sum(&self, weights: &[T]) -> T {
         let of_pairs = |(apart, covariance): (usize, &T)| dot(&weights[apart..], weights) * covariance.clone();
         let terms: Vec<T> = self.covariances.iter().enumerate().map(of_pairs).collect();
-        let variance = both_ways(&terms);
-        T::select(variance.less(&terms[0]), terms[0].clone(), variance)
+        both_ways(&terms).larger(terms[0].clone())
     }
 
     /// Computes the variance of the normal distribution whose 95 % are those of a weighted sum of samples whose noise is not known better than from these:
@@ -63,7 +62,7 @@ impl<T: Ordered<Mask = bool>> Noise<T> {
 /// 1 + (1.96² + 1)/(2 ν).
 pub(super) fn student<T: Ordered>(freedom: T) -> T {
     let ten_thousandths = |numerator: i32| T::int(numerator) / T::int(10_000);
-    let freedom = T::select(freedom.less(&T::int(1)), T::int(1), freedom);
+    let freedom = freedom.larger(T::int(1));
     let squared = freedom.clone().squared();
     let numerator = squared.clone() + ten_thousandths(7640) * freedom.clone() + ten_thousandths(12_650);
     numerator / (squared - ten_thousandths(16_567) * freedom + ten_thousandths(7288))

@@ -227,8 +227,8 @@ impl<T: Ordered<Mask = bool>> Record<T> {
             core::mem::swap(&mut here, &mut next);
             next = self.time(i + 1);
             // If the window ends on a sample, use the window's end: the integral depends on it, and not on the sample.
-            let from = T::select(window.from.less(&here), here.clone(), window.from.clone());
-            let to = T::select(next.less(&window.to), next.clone(), window.to.clone());
+            let from = window.from.clone().larger(here.clone());
+            let to = window.to.clone().smaller(next.clone());
             if !from.less(&to) {
                 continue;
             }

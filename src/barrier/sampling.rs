@@ -29,7 +29,7 @@ impl<T: Ordered<Mask = bool>> Bends<T> {
             let slope = |i: usize, step: &T| (values[i + 1].clone() - values[i].clone()) / step.clone();
             let change = slope(1, &after) - slope(0, &before);
             let mean = (times[2].clone() - times[0].clone()).half();
-            let longer = T::select(before.less(&after), after, before);
+            let longer = before.larger(after);
             Bend { size: longer.clone() * change, longer, mean }
         };
         Bends { inner: times.windows(3).zip(values.windows(3)).map(at).collect() }
@@ -65,14 +65,14 @@ impl<T: Ordered<Mask = bool>> Bends<T> {
         let pairs = unloaded.windows(4);
         let count = whole(pairs.len().max(1));
         let of_noise = pairs.fold(zero.clone(), |sum, four| sum + varies(&self.inner[four[0]..four[2]])) / count;
-        let noise = T::select(noise.less(&of_noise), of_noise, noise.clone());
+        let noise = noise.clone().larger(of_noise);
         let pairs = self.inner.windows(2).zip(shares.windows(2));
         let inside = pairs.filter(|(_, shares)| shares.iter().all(|share| zero.less(share)));
         let beyond = inside.fold(zero.clone(), |sum, (pair, shares)| {
             let [one, other] = [0, 1].map(|i| shares[i].clone() * pair[i].mean.clone());
             sum + one * other * (varies(pair) - T::int(2) * noise.clone())
         });
-        T::select(zero.less(&beyond), beyond, zero)
+        zero.larger(beyond)
     }
 }
 
@@ -80,8 +80,7 @@ impl<T: Ordered<Mask = bool>> Bend<T> {
     /// Computes the share with which a sample of a weight counts as one of a window. A sample on its edge, which has half of its weight, counts in full; beyond the edge
     /// one counts smoothly less, so that there is a derivative by the edge.
     fn share_inside(&self, weight: &T) -> T {
-        let of_weight = weight.clone() * T::int(2) / self.mean.clone();
-        let of_weight = T::select(of_weight.less(&T::int(1)), of_weight, T::int(1));
+        let of_weight = T::int(1).smaller(weight.clone() * T::int(2) / self.mean.clone());
         of_weight.clone() * (T::int(2) - of_weight)
     }
 }

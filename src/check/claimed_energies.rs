@@ -102,7 +102,7 @@ fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let Some(impulse) = impulse else {
         let Some(whole) = claimed_impulse::magnitude(known) else { return };
         let most = (whole * (closing - parting)).half();
-        let residual = Residual::new(-work - most, scale.max(most.size));
+        let residual = Residual::new(-work - most, scale.max(most.size)).open(0.0, known.travel.leeway_of_mean_speed());
         return judge.not_above(Rule::Reported, residual, |size, bound| {
             let (work, most, size, bound) = (Digits(work.value), Digits(most.value), Digits(size), Digits(bound));
             format!(
@@ -112,7 +112,8 @@ fn normal_work<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
         });
     };
     let of_speeds = -(impulse.magnitude() * (closing - parting)).half();
-    judge.zero(Rule::Reported, Residual::new(work - of_speeds, scale.max(of_speeds.size)), |size, bound| {
+    let residual = Residual::new(work - of_speeds, scale.max(of_speeds.size)).open(0.0, known.travel.leeway_of_mean_speed());
+    judge.zero(Rule::Reported, residual, |size, bound| {
         let (work, of_speeds, size, bound) = (Digits(work.value), Digits(of_speeds.value), Digits(size), Digits(bound));
         format!(
             "the work of the normal impulse {words} {work} J, and the impulse and both speeds make it {of_speeds} J: {size} off, {bound} may be"

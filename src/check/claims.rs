@@ -11,7 +11,7 @@ use super::rule::Rule;
 use super::subject::When;
 use super::uncertain::Uncertain;
 use super::work::scale_of;
-use crate::frame::{Heading, Xy};
+use crate::frame::{Heading, Nt, Xy};
 use crate::impact::Response;
 use crate::input::Side;
 use crate::law::Law;
@@ -51,9 +51,12 @@ pub(super) fn check<const N: usize>(known: &Known<'_, N>, judge: &mut Judge) {
     let speed = known.before.or(known.after).map_or(0.0, |meeting| normal::length(&meeting.velocity));
     // Without the motions before, speeds after the impact may be the rounding of those.
     let rounded = if known.before.is_none() { SPEED } else { 0.0 };
-    for (key, meeting) in [(Key::ClosingSpeed, known.before), (Key::SeparationSpeed, known.after)] {
+    for (key, meeting, leeway) in
+        [(Key::ClosingSpeed, known.before, 0.0), (Key::SeparationSpeed, known.after, known.travel.velocity_leeway())]
+    {
         if let Some(meeting) = meeting {
-            hold_beside(known, judge, claim(key, meeting.velocity.n.magnitude(), speed), rounded);
+            let claim = claim(key, meeting.velocity.n.magnitude(), speed);
+            hold_as(known, judge, claim, |residual| residual.beside(rounded).open(0.0, leeway));
         }
     }
     if let Some(p) = known.contact_impulse {
@@ -103,11 +106,18 @@ fn of_body<const N: usize>(known: &Known<'_, N>, side: Side, judge: &mut Judge) 
 }
 
 fn at_contact<const N: usize>(known: &Known<'_, N>, touch: &Touch<N>, judge: &mut Judge) {
-    let mut claim = |key, implied, scale| hold(known, judge, Claim { key, implied, scale });
     let Some((work, scale)) = touch.work.zip(scale_of(touch)) else { return };
-    claim(Key::NormalWork, work.n, scale);
-    claim(Key::TangentialWork, work.t, scale);
-    claim(Key::MomentWork, work.m, scale);
+    // Each component of the impulse does its work between the arms.
+    let mut of_component = |key, implied, component: Nt<Uncertain<N>>| {
+        let impulse = known.plane.map_or(Xy::zero(), |plane| plane.to_ground(component).map(|p| p.value));
+        let (slack, leeway) = (known.travel.work_slack(impulse), known.travel.work_leeway(impulse));
+        hold_as(known, judge, Claim { key, implied, scale }, |residual| residual.open(slack, leeway));
+    };
+    let (nothing, p) = (Uncertain::exact(0.0), known.contact_impulse);
+    let component = |of: fn(Nt<Uncertain<N>>) -> Uncertain<N>| p.map_or(nothing, of);
+    of_component(Key::NormalWork, work.n, Nt { n: component(|p| p.n), t: nothing });
+    of_component(Key::TangentialWork, work.t, Nt { n: nothing, t: component(|p| p.t) });
+    hold(known, judge, Claim { key: Key::MomentWork, implied: work.m, scale });
     // μ₀ is a property of the contact, whichever law is in force.
     let e = || known.number(Key::Restitution).unwrap_or(-touch.separation.n / touch.approach.n);
     if let Some(said) = known.number(Key::CriticalRatio)

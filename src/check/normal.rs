@@ -186,19 +186,24 @@ fn restitution_of_claims<const N: usize>(known: &Known<'_, N>, judge: &mut Judge
     let (Some(closing), Some(parting)) = (known.closing_speed(), known.separation_speed()) else { return };
     let scale = closing.value.abs().max(known.beside.speed);
     let Some(e) = e else {
-        return judge.not_above(Rule::Restitution, Residual::new(parting - closing, scale.max(parting.value.abs())), |size, bound| {
-            format!(
-                "the closing speed is {} m/s, and the separation speed {} m/s, which is more: {} m/s off, {} may be",
-                Digits(closing.value),
-                Digits(parting.value),
-                Digits(size),
-                Digits(bound)
-            )
-        });
+        return judge.not_above(
+            Rule::Restitution,
+            Residual::new(parting - closing, scale.max(parting.value.abs())).open(0.0, known.travel.velocity_leeway()),
+            |size, bound| {
+                format!(
+                    "the closing speed is {} m/s, and the separation speed {} m/s, which is more: {} m/s off, {} may be",
+                    Digits(closing.value),
+                    Digits(parting.value),
+                    Digits(size),
+                    Digits(bound)
+                )
+            },
+        );
     };
     // A closing speed of zero has no ratio.
     let (unit, of_unit) = if closing.value != 0.0 { (closing.value.abs(), "their ratio is") } else { (1.0, "in m/s, this is") };
-    judge.zero(Rule::Restitution, Residual::new(parting - e * closing, scale).per(unit), |size, bound| {
+    let residual = Residual::new(parting - e * closing, scale).open(0.0, known.travel.velocity_leeway()).per(unit);
+    judge.zero(Rule::Restitution, residual, |size, bound| {
         format!(
             "the restitution is said to be {}, the closing speed is {} m/s and the separation speed {} m/s; {of_unit} {} off, {} may be",
             Digits(e.value),

@@ -22,6 +22,7 @@ pub(super) struct Travel {
     is_of_two_points: bool,
     /// The larger yaw rate of each body, before or after, in rad/s.
     yaw_rates: [f64; 2],
+    lasts: bool,
 }
 
 fn values<const N: usize>(v: Xy<Uncertain<N>>) -> Xy {
@@ -53,6 +54,7 @@ impl Travel {
             unknown,
             is_of_two_points: record.point_after.is_some() && !is_placed,
             yaw_rates: bodies.map(|body| yaw_rate(body, When::Before).max(yaw_rate(body, When::After))),
+            lasts: record.duration.is_some_and(|duration| duration > 0.0),
         }
     }
 
@@ -74,6 +76,12 @@ impl Travel {
     /// Returns the work that remains open between the arms, ½ Σ max(|ω|, |Ω|) |d × P|.
     pub(super) fn work_slack(&self, impulse: Xy) -> f64 {
         [Side::One, Side::Two].map(|side| self.yaw_rates[side as usize] * self.moment_slack(side, impulse)).iter().sum()
+    }
+
+    /// Returns what the difference between a work and the impulse times the mean of speeds may be by itself: of a contact that lasts it is any, as the
+    /// point at which the impulse acts moves while the bodies turn.
+    pub(super) fn leeway_of_mean_speed(&self) -> f64 {
+        if self.lasts { f64::INFINITY } else { 0.0 }
     }
 
     /// Returns the work that motion unknown to the record may explain.

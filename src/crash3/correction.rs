@@ -26,7 +26,7 @@ pub fn energy_correction<T: Ordered>(surface: Surface, origin: &ForceDirection<T
     let below = length_squared.less(&away);
     // Above the limit, divide by one: the result is discarded.
     let square = T::select(below.clone(), along.squared(), T::int(1));
-    T::select(below, length_squared / square, T::int(CAP))
+    T::select(below, (length_squared / square).smaller(T::int(CAP)).larger(T::int(1)), T::int(CAP))
 }
 
 /// Returns 1/cos α, by which the principal force exceeds its component perpendicular to the surface, or `None` if it does not point into the surface. Unlike

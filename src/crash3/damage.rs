@@ -212,7 +212,8 @@ impl<T: Real> VehicleEstimate<T> {
             correction: energy_correction(damaged.surface, &damaged.force_direction),
             corrected_energy: damaged.corrected_energy(),
             moment_arm: damaged.moment() / length,
-            effective_mass_factor: damaged.effective_mass_factor(),
+            // An interval of it may exceed 1, as the arm stands in it twice.
+            effective_mass_factor: damaged.effective_mass_factor().smaller(T::int(1)),
             delta_v: ForwardLeft { forward: -(ahead * along.clone()), left: right * along },
             delta_v_magnitude: delta_v,
         }

@@ -48,8 +48,7 @@ pub struct Saturating<T = f64> {
 
 impl<T: Ordered> Saturating<T> {
     fn beyond(&self, depth: &T) -> T {
-        let over = depth.clone() - self.depth.clone();
-        T::select(over.less(&T::int(0)), T::int(0), over)
+        (depth.clone() - self.depth.clone()).larger(T::int(0))
     }
 
     fn slope(&self) -> T {
@@ -65,12 +64,13 @@ impl<T: Ordered> Saturating<T> {
 
     /// Returns the share of the width that is deeper than C_s, where some of it is, from the depths of its ends beyond C_s.
     fn share_beyond(&self, segment: &Segment<T>, from: &T, to: &T) -> T {
-        let deep = T::select(from.less(to), to.clone(), from.clone());
+        let deep = from.clone().larger(to.clone());
         // If only one end is beyond C_s, the ratio of the width beyond to the whole is the ratio of the depth beyond to the difference of the depths.
         let reach = (segment.to.clone() - segment.from.clone()).magnitude();
         let crosses = deep.less(&reach);
         let share = deep / T::select(T::int(0).less(&reach), reach, T::int(1));
-        T::select(crosses, share, T::int(1))
+        // From 0 to 1 where it crosses, which an interval of depths that may be equal does not know.
+        T::select(crosses, share.larger(T::int(0)).smaller(T::int(1)), T::int(1))
     }
 }
 

@@ -124,7 +124,7 @@ impl<T: Ordered> StiffnessZones<T> {
     pub fn moments<'a>(&'a self, profile: &'a Profile<T>) -> impl Iterator<Item = ProfileMoments<T>> + 'a {
         let stations = profile.stations();
         (0..self.zones.len()).map(move |zone| {
-            let furthest = |one: T, other: &T| T::select(one.less(other), other.clone(), one);
+            let furthest = |one: T, other: &T| one.larger(other.clone());
             let start = self.borders[..zone].split_first().map(|(first, others)| others.iter().fold(first.clone(), furthest));
             let ends = stations.windows(2).zip(profile.depths().windows(2));
             ends.fold(ProfileMoments::zero(), |sum, (at, depth)| {
@@ -132,11 +132,11 @@ impl<T: Ordered> StiffnessZones<T> {
                 let (mut from, mut to) = (begin.clone(), end.clone());
                 // A border belongs to the part that begins at it: if it lies on a station it shifts only that part, not the one before as well.
                 if let Some(border) = &start {
-                    let inside = T::select(border.less(&end), border.clone(), end.clone());
+                    let inside = end.clone().smaller(border.clone());
                     from = T::select(border.less(&begin), from, inside);
                 }
                 if let Some(border) = self.borders.get(zone) {
-                    let inside = T::select(border.less(&begin), begin.clone(), border.clone());
+                    let inside = border.clone().larger(begin.clone());
                     to = T::select(border.less(&end), inside, to);
                 }
                 let depth_at = |station: &T| {
@@ -144,8 +144,7 @@ impl<T: Ordered> StiffnessZones<T> {
                     depth[0].clone() + (depth[1].clone() - depth[0].clone()) * share
                 };
                 // Borders out of order leave no width between them.
-                let width = to.clone() - from.clone();
-                let width = T::select(width.less(&T::int(0)), T::int(0), width);
+                let width = (to.clone() - from.clone()).larger(T::int(0));
                 sum + ProfileMoments::of_segment(width, depth_at(&from), depth_at(&to))
             })
         })

@@ -314,7 +314,12 @@ impl Found {
         if answer.not_determined.is_empty() {
             let limit = best.chi_square + NEARLY_AS_GOOD;
             let others = one_of_each_valley(self.minima[chosen + 1..].iter().filter_map(seen)).map(|seen| seen.solution);
-            (answer.solutions, answer.worse) = others.partition(|other: &Solution| other.chi_square <= limit && other.is_explained());
+            let (as_good, worse): (Vec<_>, Vec<_>) = others.partition(|other: &Solution| other.chi_square <= limit && other.is_explained());
+            // The interval of the best one goes on beyond the corner.
+            let (beyond_corner, rivals): (Vec<_>, Vec<_>) =
+                as_good.into_iter().partition(|other| is_one_beyond_corner(model, &best, other));
+            answer.solutions = rivals;
+            answer.worse = beyond_corner.into_iter().chain(worse).collect();
         }
         answer.verdict = if !best.is_explained() {
             answer.without_bounds = without_bounds(model.question, &best, search).map(Box::new);
@@ -334,6 +339,26 @@ impl Found {
 /// Returns `true` if two sums of squares are those of one flat valley.
 fn are_level(one: f64, other: f64) -> bool {
     (one - other).abs() <= LEVEL * (1.0 + other)
+}
+
+/// Returns `true` if two solutions lie on either side of where friction begins to hold, or where sliding changes its side, and the evidence agrees about as well with
+/// all that is between them: a corner in one valley, and not two answers.
+fn is_one_beyond_corner(model: &Model<'_>, one: &Solution, other: &Solution) -> bool {
+    /// Points between them.
+    const POINTS: i32 = 16;
+    /// Largest rise of χ² on the way from one to the other: that of one standard deviation.
+    const RISE: f64 = 1.0;
+    let [from, to] = [one, other].map(|solution| solution.unknowns.iter().map(|estimate| estimate.value).collect::<Vec<f64>>());
+    let piece = |unknowns: &[f64]| model.solve(unknowns).ok().map(|(placed, _)| Piece::of(&placed));
+    if piece(&from) == piece(&to) {
+        return false;
+    }
+    let limit = one.chi_square.max(other.chi_square) + RISE;
+    (1..POINTS).all(|point| {
+        let share = f64::from(point) / f64::from(POINTS);
+        let between: Vec<f64> = from.iter().zip(&to).map(|(from, to)| from + share * (to - from)).collect();
+        model.at(&between).is_some_and(|residuals| residuals.iter().map(|residual| residual * residual).sum::<f64>() <= limit)
+    })
 }
 
 /// Leaves one of the minima that lie in the same flat valley, where every search ends in a different place.

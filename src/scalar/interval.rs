@@ -150,6 +150,16 @@ impl Ordered for Interval {
     }
 
     #[inline]
+    fn larger(self, other: Self) -> Self {
+        Interval { lower: self.lower.max(other.lower), upper: self.upper.max(other.upper) }
+    }
+
+    #[inline]
+    fn smaller(self, other: Self) -> Self {
+        Interval { lower: self.lower.min(other.lower), upper: self.upper.min(other.upper) }
+    }
+
+    #[inline]
     fn magnitude(self) -> Self {
         if self.lower >= 0.0 {
             self
@@ -255,6 +265,13 @@ mod tests {
         assert_eq!(Interval::select(of(2.0, 3.0).less(&of(0.0, 2.0)), yes, no), no);
         assert_eq!(of(1.0, 2.0).less(&of(2.0, 3.0)), Truth::UNKNOWN);
         assert_eq!([of(-1.0, 2.0), of(-3.0, 2.0), of(-3.0, -2.0)].map(Ordered::magnitude), [of(0.0, 2.0), of(0.0, 3.0), of(2.0, 3.0)]);
+    }
+
+    #[test]
+    fn the_larger_and_the_smaller_of_what_is_not_in_order_are_sharp() {
+        let (one, other) = (of(-1.0, 4.0), of(0.0, 2.0));
+        assert_eq!([one.larger(other), other.larger(one)], [of(0.0, 4.0); 2]);
+        assert_eq!([one.smaller(other), other.smaller(one)], [of(-1.0, 2.0); 2]);
     }
 
     #[test]

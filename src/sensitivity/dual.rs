@@ -111,6 +111,18 @@ impl<T: Real<Mask: Logic> + Copy> Ordered for Dual<T> {
     }
 
     #[cfg_attr(not(debug_assertions), inline(always))]
+    fn larger(self, other: Self) -> Self {
+        let derivative = T::select(self.less(&other), other.derivative, self.derivative);
+        Dual { value: self.value.larger(other.value), derivative }
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn smaller(self, other: Self) -> Self {
+        let derivative = T::select(other.less(&self), other.derivative, self.derivative);
+        Dual { value: self.value.smaller(other.value), derivative }
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn finite(&self) -> T::Mask {
         self.value.finite()
     }

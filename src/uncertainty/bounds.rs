@@ -176,6 +176,10 @@ pub fn bounds(
         return Err(NoBounds::NoSuchInput(NoSuchInput(input)));
     }
     let range = bounds_of(&mut ImpactOutput::new(base, mapping, of), ranges, search, goes_on);
+    // No accepted collision has less, but for rounding.
+    let is_never_below_zero = matches!(of, Output::EnergyBefore | Output::EnergyAfter | Output::Loss | Output::DeltaVMagnitude(_));
+    let at_least_zero = |range: Bounds| Bounds { low: range.low.max(0.0).min(range.low_attained), ..range };
+    let range = if is_never_below_zero { range.map(at_least_zero) } else { range };
     range.map_err(|reason| match reason {
         NoBounds::Refused { .. } => {
             let middle: Vec<f64> = ranges.iter().map(|(low, high)| 0.5 * low + 0.5 * high).collect();

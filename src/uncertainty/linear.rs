@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use super::Uncertain;
 use super::model::{Bend, Model, Slope};
+use super::tally::nearest_turn;
 use crate::refusal::Refusals;
 
 /// An output to first order, about the means of the numbers.
@@ -20,6 +21,16 @@ pub struct Linear {
     pub shares: Vec<f64>,
     /// The standard deviation that would be left if one number had half its own.
     pub with_half: Vec<f64>,
+}
+
+/// Two standard deviations of an output, each without correlations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct SlopesAndValues {
+    /// By the derivatives at the means.
+    pub by_slopes: f64,
+    /// By the values one standard deviation of each number below and above its mean: √Σ ½ (Δ₋² + Δ₊²).
+    pub by_values: f64,
 }
 
 /// An output to second order, about the means of the numbers.
@@ -61,6 +72,43 @@ impl<M: Model> Uncertain<M> {
             with_half: (0..gradient.len()).map(with_half).collect(),
             derivatives: gradient,
         })
+    }
+
+    /// Returns the standard deviation of an output by slopes beside that by values one standard deviation away. Where they differ the output bends, or has a corner,
+    /// beside which second derivatives are zero and slopes are those of one side.
+    ///
+    /// ```
+    /// use planar_impact::*;
+    /// let car = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(15.0);
+    /// // The friction is the critical impulse ratio: below it slides, above it holds and has no effect.
+    /// let collision = Collision::new(car, Party::Barrier).with_restitution(0.1);
+    /// let critical = collision.solve()?[Output::CriticalImpulseRatio].abs();
+    /// let limited = collision.with_impulse_ratio(ImpulseRatio::LimitedByFriction(critical));
+    /// let uncertain = limited.uncertain(&[(Input::Friction, Distribution::Normal { mean: critical + 1e-6, sd: 0.05 })])?;
+    /// let beside = uncertain.beside_means(Output::TangentialEnergyLoss, &uncertain.linear(Output::TangentialEnergyLoss)?);
+    /// assert!(beside.by_slopes == 0.0 && beside.by_values > 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn beside_means(&self, of: M::Output, linear: &Linear) -> SlopesAndValues {
+        let means = self.means();
+        let change = |place: usize, to: f64| {
+            let mut at = means.clone();
+            at[place] = to;
+            let value = self.model.value(&at, of);
+            (if self.model.is_angle(of) { nearest_turn(value, linear.mean) } else { value }) - linear.mean
+        };
+        let (mut of_slopes, mut of_values) = (0.0, 0.0);
+        for (place, (number, derivative)) in self.numbers.iter().zip(&linear.derivatives).enumerate() {
+            let (mean, sd) = (number.mean(), number.sd());
+            let (least, greatest) = number.range(3.0);
+            let slope = if *derivative == 0.0 { 0.0 } else { square(derivative * sd) };
+            let (down, up) = (change(place, (mean - sd).max(least)), change(place, (mean + sd).min(greatest)));
+            let squares = 0.5 * (square(down) + square(up));
+            of_slopes += slope;
+            // Where a number is impossible, or has no deviation, slopes are all there is.
+            of_values += if squares.is_finite() { squares } else { slope };
+        }
+        SlopesAndValues { by_slopes: libm::sqrt(of_slopes), by_values: libm::sqrt(of_values) }
     }
 
     /// Returns the covariances of outputs to first order, row by row in their order: exact if they are linear in the numbers.

@@ -12,7 +12,7 @@ use planar_impact_app::{Case, Source, Uncontrolled, reconstruct, uncertainty};
 const COUNT: u32 = 100_000;
 
 fn case(text: &str) -> Case {
-    Case::parse(Source { name: "case.toml".to_owned(), text: text.to_owned() }).unwrap_or_else(|issues| panic!("{issues}"))
+    Case::parse(Source::new("case.toml", text)).unwrap_or_else(|issues| panic!("{issues}"))
 }
 
 fn part(name: &str, whole: &mut Hash, of: impl FnOnce(&mut Hash)) {

@@ -168,7 +168,7 @@ fn grazing(rng: &mut ChaCha8Rng) -> Written {
 }
 
 fn parse(text: String) -> Result<Case, Issues> {
-    Case::parse(Source { name: "row.toml".to_owned(), text })
+    Case::parse(Source::new("row.toml", text))
 }
 
 fn plan(names: &[&str], base: Option<&Case>, options: &Options) -> Result<Plan, Issues> {
@@ -615,13 +615,18 @@ fn uncertain_numbers_that_no_column_gives_are_named_once() {
     let case = parse(uncertain).expect("a case");
     let said = |column: &str| {
         let plan = plan(&[column], Some(&case), &Options::default()).expect("a plan");
-        plan.notices(Some(&case)).iter().map(|notice| crate::Units::Si.sentence(&notice.message)).collect::<Vec<_>>()
+        let (assumed, others): (Vec<_>, Vec<_>) = plan.notices(Some(&case)).into_iter().partition(|notice| notice.code == "unit-assumed");
+        // Of the numbers of the case that the column does not replace.
+        let heading = assumed.iter().any(|notice| notice.path == "vehicle.1.heading");
+        assert_eq!((heading, assumed.len()), (column != "vehicle.1.heading [deg]", if heading { 2 } else { 1 }), "{assumed:?}");
+        others.iter().map(|notice| crate::Units::Si.sentence(&notice.message)).collect::<Vec<_>>()
     };
     let both = "uncertain inputs are used at their nominal values: vehicle.1.speed, contact.restitution";
-    assert_eq!(said("vehicle.1.mass"), [both]);
+    assert_eq!([said("vehicle.1.mass [kg]"), said("vehicle.1.heading [deg]")], [[both]; 2]);
     let one = ["contact.restitution is uncertain, and used at its nominal value"];
     assert_eq!([said("vehicle.1.speed"), said("vehicle.1.velocity.y")], [one, one]);
-    let plan = plan(&["vehicle.1.speed", "contact.restitution"], Some(&case), &Options::default()).expect("a plan");
+    let columns = ["vehicle.1.speed [m/s]", "contact.restitution", "vehicle.1.heading [deg]", "contact.crush_plane [deg]"];
+    let plan = plan(&columns, Some(&case), &Options::default()).expect("a plan");
     assert!(plan.notices(Some(&case)).is_empty() && plan.notices(None).is_empty());
 }
 
@@ -630,7 +635,7 @@ fn a_column_that_may_be_meant_as_an_input_is_named() {
     let case = parse(CRUSHED.to_owned()).expect("a case");
     let columns = ["vehicle.1.mass", "e", "Speed [mph]", "velocity.x", "site", "x", "left", "refused", "weight", "rest.friction"];
     let plan = plan(&columns, Some(&case), &Options::default()).expect("a plan");
-    let notices = plan.notices(Some(&case));
+    let notices: Vec<_> = plan.notices(Some(&case)).into_iter().filter(|notice| notice.code != "unit-assumed").collect();
     let said: Vec<String> =
         notices.iter().map(|notice| format!("{}: {}", notice.path, crate::Units::Si.sentence(&notice.message))).collect();
     assert!(notices.iter().all(|notice| notice.severity == crate::notice::Severity::Warning));

@@ -162,7 +162,7 @@ mod tests {
     #[test]
     fn evidence_alone_is_no_value() {
         let text = include_str!("../../../cli/examples/reconstruct/two-cars.toml").to_owned();
-        let case = crate::case::Case::parse(crate::source::Source { name: "case.toml".to_owned(), text: text.clone() }).expect("a case");
+        let case = crate::case::Case::parse(crate::source::Source::new("case.toml", text.clone())).expect("a case");
         let issues = case.needs_everything().expect_err("numbers are unknown");
         let line = |name: &str| {
             let issue = issues.list().iter().find(|issue| issue.path == name).expect("an issue");

@@ -207,7 +207,7 @@ mod tests {
         };
         let (one, two) = (vehicle(mass, "0.2"), vehicle("1000", depth));
         let text = format!("schema = 1\n{one}{two}[contact]\ncrush_plane = 0\nrestitution = {restitution}\n");
-        crate::case::Case::parse(crate::source::Source { name: "case.toml".to_owned(), text }).expect("a case")
+        crate::case::Case::parse(crate::source::Source::new("case.toml", text)).expect("a case")
     }
 
     #[test]

@@ -77,8 +77,18 @@ fn read_line(reader: &mut Reader, line: &str, text: &mut [u8], ends: &mut [usize
 /// The content of a column.
 enum Column {
     Text(&'static str),
-    Number { key: Key, size: f64 },
-    Resolution { name: &'static str, measure: ResolutionGroup, keys: Vec<Key>, size: f64 },
+    Number {
+        key: Key,
+        size: f64,
+    },
+    Resolution {
+        name: &'static str,
+        measure: ResolutionGroup,
+        keys: Vec<Key>,
+        size: f64,
+    },
+    /// Without a name or a unit, as a spreadsheet pads lines.
+    Padding,
 }
 
 /// A table of records.
@@ -115,6 +125,10 @@ impl<R: BufRead> Table<R> {
         }
         let mut columns = Vec::new();
         for (i, (name, unit)) in names.iter().zip(units).enumerate() {
+            if name.is_empty() && unit.is_empty() {
+                columns.push(Column::Padding);
+                continue;
+            }
             if names[..i].contains(name) {
                 of_names.push(name, "the column stands twice");
             }
@@ -127,6 +141,7 @@ impl<R: BufRead> Table<R> {
         }
         let problems = [(at, of_names), (units_at, of_units)].into_iter().filter(|(_, complaints)| !complaints.is_empty());
         let problems: Vec<_> = problems.collect();
+        lines.skip_commas();
         Ok(if problems.is_empty() { Ok(Table { lines, fields, columns }) } else { Err(problems) })
     }
 
@@ -235,7 +250,12 @@ fn column(name: &str, unit: &str, of_names: &mut Complaints, of_units: &mut Comp
         Some(near) => format!("; did you mean `{near}`?"),
         None => String::new(),
     };
-    of_names.push("", format!("unknown column {}{meant}", excerpt(name)));
+    let message = if name.is_empty() {
+        format!("the column of the unit {} has no name", excerpt(unit))
+    } else {
+        format!("unknown column {}{meant}", excerpt(name))
+    };
+    of_names.push("", message);
     None
 }
 
@@ -246,6 +266,7 @@ fn read_row(columns: &[Column], row: &[&str]) -> Result<Drafted, Unreadable> {
     let mut draft = Draft::default();
     for (column, field) in columns.iter().zip(row).filter(|(_, field)| !field.is_empty()) {
         match column {
+            Column::Padding => draft.complaints.push("", format!("{} stands in a column without a name", excerpt(field))),
             Column::Text(name) => draft.text(name, field),
             Column::Number { key, size } => {
                 let value = number(field);

@@ -7,7 +7,7 @@ use super::csv::Table;
 use super::document::{self, Layout, Records, Unusable};
 use super::jsonl::JsonLines;
 use super::lines::{LONGEST, Lines};
-use crate::decode::is_utf_16;
+use crate::decode::not_a_text;
 use crate::document::{Value, json};
 
 /// Maximum size of a JSON document read from a pipe, which cannot be read twice.
@@ -193,8 +193,8 @@ fn sniff(mut source: Reader, extension: Option<&str>) -> Result<(Kind, Reader), 
             return Err(vec![of_file("it is empty")]);
         }
         if std::mem::take(&mut is_first) {
-            if is_utf_16(&head) {
-                return Err(vec![of_file("it is UTF-16; save it as UTF-8")]);
+            if let Some(is) = not_a_text(&head) {
+                return Err(vec![of_file(&format!("it {is}"))]);
             }
             head.drain(..if head.starts_with(&[0xef, 0xbb, 0xbf]) { 3 } else { 0 });
         }

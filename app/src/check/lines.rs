@@ -35,12 +35,18 @@ pub struct Lines<R> {
     /// `true` if the current line has not been returned yet.
     ahead: bool,
     is_cut: bool,
+    skips_commas: bool,
 }
 
 impl<R: BufRead> Lines<R> {
     /// Starts at the first line.
     pub fn new(reader: R) -> Self {
-        Lines { reader, line: Vec::new(), number: 0, ahead: false, is_cut: false }
+        Lines { reader, line: Vec::new(), number: 0, ahead: false, is_cut: false, skips_commas: false }
+    }
+
+    /// From now on takes lines of commas alone for blank ones: a spreadsheet pads empty rows with them.
+    pub fn skip_commas(&mut self) {
+        self.skips_commas = true;
     }
 
     /// Returns the number of the current line, counted from 1.
@@ -58,7 +64,8 @@ impl<R: BufRead> Lines<R> {
             if !self.fetch()? {
                 return Ok(false);
             }
-            self.ahead = self.is_cut || !self.line.iter().all(u8::is_ascii_whitespace);
+            let is_blank = |byte: &u8| byte.is_ascii_whitespace() || (self.skips_commas && *byte == b',');
+            self.ahead = self.is_cut || !self.line.iter().all(is_blank);
         }
         Ok(true)
     }

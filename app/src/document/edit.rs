@@ -300,7 +300,7 @@ restitution = { mode = 0.1, min = 0, max = 0.3 }
 ";
 
     fn document(text: &str) -> Document {
-        Document::parse(Source { name: "case.toml".to_owned(), text: text.to_owned() }).unwrap()
+        Document::parse(Source::new("case.toml", text)).unwrap()
     }
 
     fn apply(text: &str, mut edits: Vec<Edit>) -> String {
@@ -368,7 +368,7 @@ restitution = { mode = 0.1, min = 0, max = 0.3 }
         let toml = "[[vehicle]]\nmass = 1500\n[contact]\nrestitution = 0.1\nfriction = 0.5\n";
         let json = "{\"vehicle\": [{\"mass\": 1500}],\n\"contact\": {\"restitution\": 0.1}}";
         for (name, text) in [("case.toml", toml), ("case.json", json)] {
-            let read = |text: String| Document::parse(Source { name: name.to_owned(), text }).unwrap_or_else(|issues| panic!("{issues}"));
+            let read = |text: String| Document::parse(Source::new(name, text)).unwrap_or_else(|issues| panic!("{issues}"));
             let typed = |typed: &str| {
                 let again = read(apply(text, vec![read(text.to_owned()).write_text("contact.restitution", typed).unwrap()]));
                 match &again.find("contact.restitution").unwrap().value {
@@ -417,9 +417,7 @@ restitution = { mode = 0.1, min = 0, max = 0.3 }
             [("1.6e3", true), ("-0", true), ("000", false), ("007", false), ("5.", false), (".5", false), ("+1", false), ("1e999", false)]
         {
             for (name, text) in [("case.toml", "[[vehicle]]\nmass = 1500\n"), ("case.json", "{\"vehicle\": [{\"mass\": 1500}]}")] {
-                let read = |text: String| {
-                    Document::parse(Source { name: name.to_owned(), text }).unwrap_or_else(|issues| panic!("{typed}: {issues}"))
-                };
+                let read = |text: String| Document::parse(Source::new(name, text)).unwrap_or_else(|issues| panic!("{typed}: {issues}"));
                 let edit = read(text.to_owned()).write_text("vehicle.1.mass", typed).unwrap();
                 assert_eq!(edit.text.starts_with('"'), !is_bare, "{typed}");
                 let again = read(apply(text, vec![edit]));

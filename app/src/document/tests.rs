@@ -47,7 +47,7 @@ fn shown(issues: &Issues) -> String {
 }
 
 fn source(name: &str, text: &str) -> Source {
-    Source { name: name.to_owned(), text: text.to_owned() }
+    Source::new(name, text)
 }
 
 fn read(name: &str, text: &str) -> Result<Case, String> {

@@ -18,7 +18,7 @@ pub(super) fn parse(text: &str) -> Result<Node, Vec<Issue>> {
     if errors.is_empty() {
         return Ok(Node { span: 0..0, value: table(root.into_inner()) });
     }
-    let mut issues: Vec<Issue> = errors.iter().map(syntax_error).collect();
+    let mut issues: Vec<Issue> = errors.iter().map(|error| syntax_error(text, error)).collect();
     issues.sort_by_key(start);
     // No newline separates two errors of one line.
     issues.dedup_by(|next, kept| !text.get(start(kept)..start(next)).unwrap_or("").contains('\n'));
@@ -31,7 +31,7 @@ fn parse_recoverable(text: &str) -> Result<(Spanned<DeTable<'_>>, Vec<::toml::de
     if text.len() <= 1 << 20 {
         return Ok(DeTable::parse_recoverable(text));
     }
-    let root = DeTable::parse(text).map_err(|error| vec![syntax_error(&error)])?;
+    let root = DeTable::parse(text).map_err(|error| vec![syntax_error(text, &error)])?;
     Ok((root, Vec::new()))
 }
 
@@ -39,12 +39,18 @@ fn start(issue: &Issue) -> usize {
     issue.span.as_ref().map_or(0, |span| span.start)
 }
 
-fn syntax_error(error: &toml::de::Error) -> Issue {
-    // The most common mistake, a quantity without quotes, gets a clearer message.
-    let unquoted = error.message().starts_with("string values must be quoted");
-    let (what, help) = match unquoted {
-        true => ("only a number, true or false may stand without quotes", Some("as in mass = \"1500 kg\"".to_owned())),
-        false => (error.message(), None),
+fn syntax_error(text: &str, error: &toml::de::Error) -> Issue {
+    let is_header = || error.span().and_then(|span| text.get(..span.start)).is_some_and(|before| before.ends_with('['));
+    // The most common mistakes get a clearer message: a quantity without quotes, and tables of a list in one bracket.
+    let (what, help) = match error.message() {
+        message if message.starts_with("string values must be quoted") => {
+            ("only a number, true or false may stand without quotes", Some("as in mass = \"1500 kg\""))
+        }
+        message @ "duplicate key" if is_header() => {
+            (message, Some("write each vehicle below a line [[vehicle]], in two brackets; any other table stands once"))
+        }
+        message @ "duplicate key" => (message, Some("leave one of them")),
+        message => (message, None),
     };
     Issue { span: error.span(), help: help.map(Into::into), ..Issue::of_file("syntax", format!("this is not TOML: {what}")) }
 }

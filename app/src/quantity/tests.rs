@@ -192,6 +192,29 @@ fn a_pound_is_a_force_where_only_that_fits() {
 }
 
 #[test]
+fn a_range_is_told_as_one() {
+    for (text, kind, least, greatest) in [
+        ("40-45 mph", Kind::SPEED, "40 mph", "45 mph"),
+        ("40 mph – 45 mph", Kind::SPEED, "40 mph", "45 mph"),
+        ("40mph to 70 km/h", Kind::SPEED, "40mph", "70 km/h"),
+        ("-10 - -5 deg", Kind::ANGLE, "-10 deg", "-5 deg"),
+        ("0.1..0.2", Kind::PURE, "0.1", "0.2"),
+        ("10-20 %", Kind::PURE, "10 %", "20 %"),
+        ("5 ft - 5 ft 2 in", Kind::LENGTH, "5 ft", "5 ft 2 in"),
+    ] {
+        let error = parse(text, kind).expect_err(text);
+        assert!(error.message.ends_with("is a range, and not one number"), "{text}: {error}");
+        let help = format!("where an input may be uncertain, write {{ min = \"{least}\", max = \"{greatest}\" }}");
+        assert_eq!(error.help, Some(help), "{text}");
+    }
+    // From the greater to the lesser is no range, nor is an exponent or a unit with a sign.
+    for (text, kind) in [("45-40 mph", Kind::SPEED), ("40 m s-1x", Kind::SPEED), ("1e-x m", Kind::LENGTH), ("40 - mph", Kind::SPEED)] {
+        assert!(!parse(text, kind).expect_err(text).message.contains("range"), "{text}");
+    }
+    assert!(parse("40 m s^-1", Kind::SPEED).is_ok() && parse("1e-1 m", Kind::LENGTH).is_ok());
+}
+
+#[test]
 fn a_string_needs_a_unit() {
     assert_eq!(
         error("40", Kind::SPEED),

@@ -215,7 +215,7 @@ mod tests {
     fn excluded() -> Answer {
         let text = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = 10\nimpact_center = [2, 0]\n[[vehicle]]\nbarrier = true\n\
                     [contact]\ncrush_plane = 0\nrestitution = 0\n[evidence]\nW_n = \"-75 kJ ± 1 kJ\"\n[unknown]\nvehicle.1.speed = { start = 5, min = 0, max = 6 }\n";
-        let case = Case::parse(Source { name: "case.toml".to_owned(), text: text.to_owned() }).unwrap_or_else(|issues| panic!("{issues}"));
+        let case = Case::parse(Source::new("case.toml", text)).unwrap_or_else(|issues| panic!("{issues}"));
         let question = Question::of(&case, &[None, None]).unwrap_or_else(|issues| panic!("{issues}"));
         question.asked.solve(&planar_impact::reconstruct::Search::default()).expect("an answer")
     }

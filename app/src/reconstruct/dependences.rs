@@ -138,7 +138,7 @@ mod tests {
              [rest.vehicle.1]\nposition = [\"3 m ± 0.1 m\", \"1 m ± 0.1 m\"]\nheading = \"120 deg ± 3 deg\"\n\
              front_axle = 1.2\nrear_axle = 1.4\ntrack = 1.5\nwheels = {{ front_left = \"locked\", front_right = \"locked\", rear_left = \"locked\", rear_right = \"locked\" }}\n{rest}"
         );
-        Case::parse(Source { name: "case.toml".to_owned(), text }).unwrap_or_else(|issues| panic!("{issues}"))
+        Case::parse(Source::new("case.toml", text)).unwrap_or_else(|issues| panic!("{issues}"))
     }
 
     fn separation(case: &Case) -> Separation {

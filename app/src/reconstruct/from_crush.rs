@@ -165,7 +165,7 @@ mod tests {
         let text = format!(
             "schema = 1\ncorrelation = [{correlation}]\n{one}{two}[contact]\ncrush_plane = 0\nrestitution = 0\n[evidence]\n{evidence}"
         );
-        Case::parse(Source { name: "case.toml".to_owned(), text }).expect("a case")
+        Case::parse(Source::new("case.toml", text)).expect("a case")
     }
 
     fn close(got: f64, want: f64) {

@@ -140,7 +140,7 @@ mod tests {
         };
         let contact = format!("[contact]\ncrush_plane = 0\nrestitution = {restitution}\n");
         let text = format!("schema = 1\n{top}\n{}{}{contact}", vehicle(mass, speed), vehicle("1000", "5"));
-        InputUnknowns::of(&Case::parse(Source { name: "case.toml".to_owned(), text }).expect("a case"))
+        InputUnknowns::of(&Case::parse(Source::new("case.toml", text)).expect("a case"))
     }
 
     const MASS: Variable = Variable::Input(Input::Mass(Side::One));

@@ -218,8 +218,18 @@ fn beyond_momentum(case: &Case, known: &Known) -> Option<Issue> {
             format!("{name} needs angular momentum"),
             "give `yaw_inertia` and `impact_center` of both vehicles, or leave the yaw rate out",
         ),
+        of if has_rotation(of, case) => issue(
+            format!("{name} includes the energy of rotation, of which point masses have none"),
+            "give `yaw_inertia` and `impact_center` of both vehicles, or leave it out",
+        ),
         _ => None,
     }
+}
+
+/// Returns `true` for an energy that includes that of a rotation which the case leaves out.
+pub(super) fn has_rotation(of: Measurand, case: &Case) -> bool {
+    let is_energy = matches!(of, Measurand::Output(Output::EnergyBefore | Output::EnergyAfter | Output::Loss));
+    is_energy && !case.model.is_angular()
 }
 
 /// Measurands that are about the same numbers.

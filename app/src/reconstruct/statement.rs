@@ -2,7 +2,7 @@
 
 use planar_impact::reconstruct::{Marginal, Measurand};
 
-use super::question::{Question, measure_of, name_in};
+use super::question::{Question, has_rotation, measure_of, name_in};
 use crate::issue::{Issue, Issues};
 use crate::names;
 use crate::notice::Notice;
@@ -53,6 +53,10 @@ impl Statement {
         if !question.asked.determines(of) {
             let help = of.is_in(&question.asked.collision).then(|| "give contact.crush_share, or the crush of each vehicle".to_owned());
             return Err(issue(name, "the collision does not determine this quantity", help));
+        }
+        if has_rotation(of, &question.case) {
+            let help = "give `yaw_inertia` and `impact_center` of both vehicles".to_owned();
+            return Err(issue(name, "it includes the energy of rotation, of which point masses have none", Some(help)));
         }
         let value = quantity::parse_word(value, Kind::from(measure_of(of, &question.case)))
             .map_err(|error| issue(name, &error.message, error.help))?;

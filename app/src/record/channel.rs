@@ -6,6 +6,7 @@ use planar_impact::Distribution;
 use planar_impact::barrier::{Clock, Record, Window};
 
 use super::analysis::{Analysis, ROUNDING};
+use super::recorder::FULL_BRAKING;
 use super::recording::Channel;
 use super::{ChannelAnswer, ChannelQuantity, Clipped};
 use crate::message::Message;
@@ -163,9 +164,9 @@ impl Channel {
         if is_missing(left) { Some(Cut::End) } else { is_missing(late).then_some(Cut::Beginning) }
     }
 
-    /// Returns `true` if a velocity change goes on at the last reading: within the last tenth of the time since it began, or the last reading but up to three tenths, it
+    /// Returns `true` if a velocity change goes on at the last reading, or does not show that it stands still: within the last tenth of the time since it began, or the last reading but up to three tenths, it
     /// changes at half of its mean rate, by more than one step and more than its readings scatter. What a whole half-sine, which ends with the record, changes by in so
-    /// much time is not enough.
+    /// much time is not enough. A change of few steps hardly shows rates, and has to stand still.
     fn still_changes(&self) -> bool {
         /// Of the time since the change began.
         const LATELY: f64 = 0.1;
@@ -176,6 +177,11 @@ impl Channel {
         const MARGIN: f64 = 1.2;
         /// A change by one step is rounding.
         const STEPS: f64 = 1.5;
+        /// Of which the last tenth of a ramp has too few.
+        const FEW_STEPS: f64 = 25.0;
+        const EXPECTED: f64 = 2.5;
+        /// One step, but for the rounding of the readings.
+        const ONE: f64 = 1.01;
         let (times, values) = (self.record.times(), self.record.values());
         let (first, end) = (values[0], values.len() - 1);
         // Two readings show no end of the change, whatever their step.
@@ -194,11 +200,23 @@ impl Channel {
             (values[end] - values[before]).abs() > enough.max(STEPS * step).max(by_chance)
         };
         let lately = (begun..end).rev().find(|before| share(*before) >= LATELY);
-        (begun..end)
+        let goes_on = (begun..end)
             .rev()
             .skip_while(|before| Some(*before) > lately)
             .take_while(|before| Some(*before) == lately || share(*before) <= LATE)
-            .any(changes)
+            .any(changes);
+        // Where two and a half steps are expected at the mean rate, at least three readings and at most half of the time, it changes by one step, and as brakes do;
+        // of a change of one or two steps no step is little.
+        let expected = EXPECTED * step;
+        let little = if height < expected { 0.0 } else { ONE * step };
+        let stands_for = (expected / height).min(0.5);
+        let stands = |before: usize| {
+            let by_brakes = FULL_BRAKING * (times[end] - times[before]);
+            (values[end] - values[before]).abs() <= little.max(by_chance) + by_brakes
+        };
+        let has_few_steps = height < FEW_STEPS * step;
+        let late = |before: &usize| end - before <= 2 || share(*before) <= stands_for;
+        goes_on || (has_few_steps && height > 0.0 && !(0..end).rev().take_while(late).all(stands))
     }
 }
 
@@ -337,7 +355,7 @@ impl Analysis<'_> {
         if let Some(cut) = cut {
             let (what, at, when) = match cut {
                 Cut::Beginning => ("begins", times[0], " after the event has begun, or with an offset that no sample before it shows"),
-                Cut::End => ("ends", times[times.len() - 1], " before the event is over"),
+                Cut::End => ("ends", times[times.len() - 1], " before it shows that the event is over"),
             };
             let message = Message::from(format!("{} is truncated: it {what} at ", channel.name))
                 .figure(Measure::Time, at)

@@ -15,6 +15,8 @@ use crate::unusual;
 
 /// Samples in a local line of a film, unless the file says otherwise.
 const NEIGHBORS: usize = 9;
+/// Fewest samples in a local line.
+const FEWEST: usize = 4;
 /// Maximum number of frames of a film: smoothing takes time that grows with the square.
 const MOST_FRAMES: usize = 5000;
 
@@ -55,6 +57,33 @@ fn growth_of_noise(mut squares: Vec<f64>) -> f64 {
     if squares.len() < FEW || growth < by_chance { 1.0 } else { growth }
 }
 
+/// Returns by how much the slope of the local line at a time is off, as far as the frames about it accelerate: the line is the mean of some of them.
+fn drift(lowess: Lowess, film: &Record, at: f64) -> f64 {
+    /// Lines whose frames tell the acceleration.
+    const LINES: usize = 3;
+    let (times, values) = (film.times(), film.values());
+    let about = times.len().min(LINES * lowess.neighbors);
+    let is_at_end = (at - times[0]).abs() > (times[times.len() - 1] - at).abs();
+    let first = if is_at_end { times.len() - about } else { 0 };
+    let (near, values) = (&times[first..first + about], &values[first..first + about]);
+    // The part of the squares of the times that no line has.
+    let middle = mean(near);
+    let moment = |power: i32| near.iter().map(|time| (0..power).fold(1.0, |product, _| product * (time - middle))).sum::<f64>();
+    let (square, cube, count) = (moment(2), moment(3), about as f64);
+    let bend = |time: f64| (time - middle) * (time - middle) - cube / square * (time - middle) - square / count;
+    let (sum, of_bend) = near.iter().zip(values).fold((0.0, 0.0), |(sum, squares), (time, value)| {
+        let bend = bend(*time);
+        (sum + bend * value, squares + bend * bend)
+    });
+    let acceleration = 2.0 * sum / of_bend;
+    let parabola = times.iter().map(|time| 0.5 * (time - at) * (time - at)).collect();
+    let line = Record::at_times(times, parabola)
+        .and_then(|parabola| Lowess { robust_passes: 0, ..lowess }.smooth(&parabola))
+        .and_then(|smoothed| smoothed.at(at));
+    let drift = line.map_or(0.0, |line| acceleration * line.slope.value);
+    if drift.is_finite() { drift } else { 0.0 }
+}
+
 fn mean(numbers: &[f64]) -> f64 {
     numbers.iter().sum::<f64>() / numbers.len() as f64
 }
@@ -74,11 +103,11 @@ impl Analysis<'_> {
         // Uniform motion in whole steps leaves no scatter, however coarse they are.
         let step = channel.step();
         let times = record.times();
-        let smooth_part = |part: Range<usize>| {
+        let smooth_part = |(part, at): (Range<usize>, f64)| {
             let part = Record::at_times(times[part.clone()].to_vec(), record.values()[part].to_vec())?;
             let smoothed = lowess.smooth(&part)?;
             let changes = changes_of_slope(&part, lowess.neighbors, smoothed.noise().max(step * step / 12.0));
-            Ok((smoothed, changes))
+            Ok((smoothed, changes, drift(lowess, &part, at)))
         };
         let (first, last) = (times[0], times[times.len() - 1]);
         let contact = settings.window.map_or(first.max(0.0), |window| window.from);
@@ -96,19 +125,22 @@ impl Analysis<'_> {
         // The frames before the contact alone: a local line must not reach into it. Nor must that of the separation, where the frames from it on are enough for one.
         let count = times.partition_point(|time| *time <= contact + ROUNDING * (last - first));
         let left = times.partition_point(|time| *time <= separation + ROUNDING * (last - first)).max(1) - 1;
-        let [before, after]: [Result<_, TestIssues>; 2] = [0..count, left..times.len()].map(smooth_part);
-        let growth = growth_of_noise([&before, &after].into_iter().flatten().flat_map(|(_, changes)| changes.iter().copied()).collect());
+        let [before, after]: [Result<_, TestIssues>; 2] =
+            [(0..count, times[count.max(1) - 1]), (left..times.len(), separation)].map(smooth_part);
+        let growth = growth_of_noise([&before, &after].into_iter().flatten().flat_map(|(_, changes, _)| changes.iter().copied()).collect());
+        let [drift_before, drift_after] = [&before, &after].map(|part| part.as_ref().map_or(0.0, |(_, _, drift)| *drift));
         // What the step explains is known, and needs no wider distribution.
         let wide = |smoothed: Smoothed| smoothed.widened().with_noise_of_at_least(growth * step * step / 12.0);
-        let grown = |(smoothed, _): (Smoothed, Vec<f64>)| {
+        let grown = |(smoothed, ..): (Smoothed, Vec<f64>, f64)| {
             let noise = growth * smoothed.noise();
             wide(smoothed.with_noise_of_at_least(noise))
         };
         let slope = before.map(grown).and_then(|before| before.at(times[count - 1])).map(|line| line.slope);
-        let of_film = slope.ok().map(|slope| Estimate { value: -slope.value, ..slope });
+        let of_film = slope.ok().map(|slope| Estimate { value: -slope.value, variance: slope.variance + drift_before * drift_before });
         let Some(closing) = settings.speed.or(of_film) else {
             let message = format!("{count} frames up to the contact are too few for a closing speed");
-            let help = "give `speed`, fewer `neighbors`, or frames from before the contact";
+            let fewer = if count > FEWEST { " fewer `neighbors`," } else { "" };
+            let help = format!("give `speed`,{fewer} or frames from before the contact");
             self.issues.push(Issue::at("no-closing-speed", channel.path.clone(), message).with_help(help));
             return None;
         };
@@ -134,6 +166,21 @@ impl Analysis<'_> {
             }
             other => self.report(path, other)?,
         };
+        let of_drift = drift_after / closing.value;
+        let restitution = Estimate { variance: restitution.variance + of_drift * of_drift, ..restitution };
+        let drift_before = if settings.speed.is_some() { 0.0 } else { drift_before };
+        let parts = [
+            ("before the contact", drift_before, closing.variance),
+            ("after the separation", drift_after, restitution.variance * closing.value * closing.value),
+        ];
+        for (when, drift, variance) in parts {
+            if drift * drift > 0.5 * variance {
+                let message = Message::from(format!("{} bends {when}: a local line is off by about ", channel.name))
+                    .figure(Measure::Speed, drift.abs())
+                    .text(", which the standard deviation allows for; fewer `neighbors`, or frames at shorter intervals, are off by less");
+                self.notices.push(Notice::note("film-bends", channel.path.clone(), message));
+            }
+        }
         if growth > 1.0 {
             let message = format!(
                 "the errors of {} go on from frame to frame: they make its speeds {:.1} times as uncertain as independent ones",

@@ -428,7 +428,7 @@ fn of_jump(before: &[PreCrash], noise: Noise, path: &str) -> Option<Notice> {
 }
 
 /// The greatest deceleration of a vehicle that brakes, in m/s²: 0.8 g.
-const FULL_BRAKING: f64 = 0.8 * planar_impact::STANDARD_GRAVITY;
+pub(super) const FULL_BRAKING: f64 = 0.8 * planar_impact::STANDARD_GRAVITY;
 
 /// Returns the last speed that was stored up to the impact. It may have changed since: at the rate at which it changed last, or by braking that began later, which
 /// is within the 95 % interval.

@@ -264,7 +264,7 @@ mod tests {
     use super::*;
 
     fn parse(text: &str) -> Result<Recording, Issues> {
-        let source = Source { name: "test.csv".to_owned(), text: text.to_owned() };
+        let source = Source::new("test.csv", text);
         Recording::parse_by(source, |_| panic!("it names no file"))
     }
 
@@ -286,7 +286,7 @@ mod tests {
         let file = |channels: &str| format!("schema = 1\nsamples = \"time [s],F [N],G [N]\\n0,1,2\\n1,2,3\\n\"\n{channels}");
         let read = |text: String| {
             let none: Open = Box::new(|name| Err(crate::decode::unreadable(name, "is not there")));
-            Recording::parse(Source { name: "a.toml".into(), text }, &none)
+            Recording::parse(Source::new("a.toml", text), &none)
         };
         assert!(read(file(&format!("{channel}{}", channel.replace('F', "G")))).is_ok());
         let issues = read(file(&format!("{channel}{channel}"))).err().expect("a repeated column");

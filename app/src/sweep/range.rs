@@ -17,6 +17,8 @@ pub struct Range {
     pub parameter: Parameter,
     /// The unit of [`Range::shown`], which is the first unit of the range.
     pub unit: String,
+    /// `true` if the unit is assumed, because the range has none.
+    pub is_unit_assumed: bool,
     /// The values in that unit.
     pub shown: Vec<f64>,
     /// The values in SI.
@@ -88,7 +90,13 @@ impl Range {
         // The check above ensures a whole number below the maximum number of points.
         let shown: Vec<f64> = (0..=count as usize).map(value).collect();
         let si = shown.iter().map(|&value| conversion.to_si(value)).collect();
-        Ok(Range { parameter, unit, shown, si })
+        Ok(Range {
+            parameter,
+            is_unit_assumed: from.bare && to.bare && !unit.is_empty() && (from.value, to.value) != (0.0, 0.0),
+            unit,
+            shown,
+            si,
+        })
     }
 }
 
@@ -196,7 +204,7 @@ mod tests {
 
     fn case() -> Case {
         let text = include_str!("../../../cli/examples/position-a.toml").to_owned();
-        Case::parse(Source { name: "case.toml".to_owned(), text }).expect("the example is sound")
+        Case::parse(Source::new("case.toml", text)).expect("the example is sound")
     }
 
     fn read_one(text: &str) -> Result<Range, String> {

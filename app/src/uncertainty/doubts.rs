@@ -8,6 +8,12 @@ use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::trim;
 
+/// Ratio of two standard deviations from which an interval of 95 % by the smaller one holds less than 88 %.
+const MUCH: f64 = 1.25;
+
+/// Share of a number that is rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// Warns of outputs whose standard deviation the outermost samples make, and of which further samples make another.
 pub(super) fn heavy_tails(outputs: &[CaseOutput], of: &[OutputUncertainty], solved: u64) -> Option<Notice> {
     /// Samples from which a standard deviation of finite moments is known to a few per cent.
@@ -28,17 +34,31 @@ pub(super) fn heavy_tails(outputs: &[CaseOutput], of: &[OutputUncertainty], solv
 
 /// Returns `true` if curvature makes a standard deviation much larger than slopes do.
 pub(super) fn is_bent(linear: &library::Linear, second: &library::SecondOrder) -> bool {
-    /// Ratio from which an interval of 95 % by the slopes holds less than 88 %.
-    const MUCH: f64 = 1.25;
-    /// Share of the value that is rounding.
-    const ROUNDING: f64 = 1e-9;
     second.sd.is_finite() && second.sd > MUCH * linear.sd && second.sd > ROUNDING * linear.mean.abs()
+}
+
+/// Returns `true` if values one standard deviation away make another standard deviation than slopes do: at a corner, such as the limit of CRASH3's correction, slopes
+/// are those of one side.
+pub(super) fn is_at_corner(of: &library::Linear, beside: &library::SlopesAndValues) -> bool {
+    let (less, more) = (beside.by_slopes.min(beside.by_values), beside.by_slopes.max(beside.by_values));
+    let is_known = beside.by_slopes.is_finite() && beside.by_values.is_finite();
+    is_known && more > MUCH * less && more > ROUNDING * of.mean.abs()
+}
+
+/// Warns of a standard deviation by the slopes of one side of a corner.
+pub(super) fn linear_at_corner(of: CaseOutput, beside: &library::SlopesAndValues) -> Notice {
+    let message = Message::from(format!("the standard deviation of {of} is "))
+        .figure(of.measure(), beside.by_slopes)
+        .text(" by slopes, and about ")
+        .figure(of.measure(), beside.by_values)
+        .text(
+            " by its values one standard deviation of each input away: it has a corner near the means, where slopes are those of one side; take monte-carlo or sobol",
+        );
+    Notice::warning("linear-at-corner", of.to_string(), message)
 }
 
 /// Warns of a standard deviation by slopes that hardly change the output where it bends, such as that of a symmetric collision.
 pub(super) fn linear_bends(of: CaseOutput, linear: f64, second: f64) -> Notice {
-    /// Share of the other that is rounding.
-    const ROUNDING: f64 = 1e-9;
     let linear = if linear < ROUNDING * second { 0.0 } else { linear };
     let message = Message::from(format!("the standard deviation of {of} is "))
         .figure(of.measure(), linear)

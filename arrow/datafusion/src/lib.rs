@@ -12,7 +12,7 @@
 //! let context = SessionContext::new();
 //! let case = "schema = 1\n[[vehicle]]\nmass = 1500\nyaw_inertia = 2500\nheading = 0\nspeed = 15\nimpact_center = [2, 0]\n[[vehicle]]\nbarrier = true\n\
 //!             [contact]\ncrush_plane = 0\nrestitution = 0.1\n";
-//! let case = planar_impact_app::Case::parse(planar_impact_app::Source { name: "barrier.toml".to_owned(), text: case.to_owned() })?;
+//! let case = planar_impact_app::Case::parse(planar_impact_app::Source::new("barrier.toml", case))?;
 //! planar_impact_datafusion::register(&context, Some(case));
 //! let rows = context.sql(
 //!     "SELECT v, planar_impact('vehicle.1.delta_v_magnitude', named_struct('vehicle.1.speed [km/h]', v)) AS delta_v FROM (VALUES (18.0), (36.0)) AS t(v)",

@@ -11,7 +11,7 @@ use planar_impact_app::{Case, Source};
 const CASE: &str = include_str!("../../../cli/examples/position-a.toml");
 
 fn case() -> Case {
-    Case::parse(Source { name: "position-a.toml".to_owned(), text: CASE.to_owned() }).expect("the example")
+    Case::parse(Source::new("position-a.toml", CASE)).expect("the example")
 }
 
 /// Speeds of vehicle 1 at two sites, every tenth of them away from the other vehicle.

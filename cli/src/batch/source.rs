@@ -69,12 +69,16 @@ enum Rows {
     },
 }
 
+/// First bytes of a Parquet file.
+const PARQUET: &[u8] = b"PAR1";
+
+/// First bytes of an Arrow file: of those of all formats the most.
+const ARROW: &[u8] = b"ARROW1";
+
 /// First bytes of what is no table of the format that the name of its file says, and what it is.
 const FOREIGN: &[(&[u8], &str)] = &[
-    (b"\x1f\x8b", "is compressed by gzip; decompress it"),
-    (b"PK\x03\x04", "is a workbook or an archive; save the table as CSV"),
-    (b"PAR1", "is Parquet; let its name end in .parquet"),
-    (b"ARROW1", "is Arrow; let its name end in .arrow"),
+    (PARQUET, "is Parquet; give it as a file whose name ends in .parquet"),
+    (ARROW, "is Arrow; give it as a file whose name ends in .arrow"),
     (b"FEA1", "is Feather of version 1; write version 2"),
 ];
 
@@ -99,11 +103,19 @@ impl Source {
             return Err(decode::unreadable(&name, "is a directory, not a table"));
         }
         if metadata.is_file() {
-            for (magic, is) in FOREIGN {
-                let is_own = matches!((format, *magic), (Format::Parquet, b"PAR1") | (Format::Arrow, b"ARROW1"));
-                if !is_own && starts_with(&file, magic).map_err(|error| unreadable(&error))? {
-                    return Err(decode::unreadable(&name, is));
-                }
+            let begin = begin(&file).map_err(|error| unreadable(&error))?;
+            let is_own = match format {
+                Format::Csv => false,
+                Format::Parquet => begin.starts_with(PARQUET),
+                Format::Arrow => begin == ARROW,
+            };
+            // Arrow without a footer begins with a length.
+            let is_length = format == Format::Arrow && matches!(begin[..], [_, _, 0, 0, ..] | [0xff, 0xff, 0xff, 0xff, ..]);
+            if let Some(is) = foreign(&begin).filter(|_| !is_own && !is_length) {
+                return Err(decode::unreadable(&name, is));
+            }
+            if format == Format::Parquet && !is_own {
+                return Err(decode::unreadable(&name, "is not Parquet, as its name says; let the name of a table in text end in .csv"));
             }
         }
         let size = metadata.len();
@@ -121,7 +133,7 @@ impl Source {
                 Ok(Source { schema: reader.schema(), rows: Rows::Parquet { reader, all, read: 0 }, bytes: size, has_one_dictionary, name })
             }
             Format::Arrow => {
-                let has_footer = starts_with(&file, b"ARROW1").map_err(|error| unreadable(&error))?;
+                let has_footer = begin(&file).map_err(|error| unreadable(&error))? == ARROW;
                 let (reader, dictionaries) = read(&name, || {
                     let dictionaries = lengths::check(&file, has_footer)?;
                     let buffered = BufReader::with_capacity(BUFFER, Counted::new(file, &bytes));
@@ -141,8 +153,9 @@ impl Source {
 
     fn csv(name: &str, bytes_of: Box<dyn Read>, bytes: Arc<AtomicU64>, size: u64) -> Result<Source, Issues> {
         let mut reader = csv::ReaderBuilder::new().flexible(true).buffer_capacity(BUFFER).from_reader(Followed::new(bytes_of));
-        if reader.byte_headers().is_ok_and(|headers| headers.get(0).is_some_and(decode::is_utf_16)) {
-            return Err(decode::unreadable(name, "is UTF-16; save it as UTF-8"));
+        let first = reader.byte_headers().ok().and_then(|headers| headers.get(0));
+        if let Some(is) = first.and_then(foreign) {
+            return Err(decode::unreadable(name, is));
         }
         let headers = reader.headers().map_err(|error| match error.kind() {
             csv::ErrorKind::Utf8 { .. } => decode::unreadable(name, "has a header that is not UTF-8 text; save it as UTF-8"),
@@ -266,11 +279,17 @@ fn is_dictionary(field: &Field) -> bool {
     matches!(field.data_type(), DataType::Dictionary(..))
 }
 
-fn starts_with(mut file: &File, magic: &[u8]) -> io::Result<bool> {
-    let mut start = Vec::new();
-    file.take(magic.len() as u64).read_to_end(&mut start)?;
+/// Returns the first bytes of a file, as many as tell what it is.
+fn begin(mut file: &File) -> io::Result<Vec<u8>> {
+    let mut begin = Vec::new();
+    file.take(ARROW.len() as u64).read_to_end(&mut begin)?;
     file.seek(SeekFrom::Start(0))?;
-    Ok(start == magic)
+    Ok(begin)
+}
+
+/// Returns what a table of another format is, with a remedy.
+fn foreign(begin: &[u8]) -> Option<&'static str> {
+    FOREIGN.iter().find(|(magic, _)| begin.starts_with(magic)).map(|(_, is)| *is).or_else(|| decode::not_a_text(begin))
 }
 
 /// Reads of a format that its library reads, which panics on some damaged files.

@@ -84,14 +84,18 @@ fn what_is_no_table_is_told_as_what_it_is() {
     for (name, bytes, is) in [
         ("a.csv", &b"\x1f\x8b\x08\0"[..], "compressed by gzip"),
         ("b.csv", b"PK\x03\x04", "a workbook"),
-        ("c.csv", b"PAR1", "Parquet; let its name end in .parquet"),
-        ("d.parquet", b"ARROW1\0\0", "Arrow; let its name end in .arrow"),
+        ("c.csv", b"PAR1", "Parquet; give it as a file whose name ends in .parquet"),
+        ("d.parquet", b"ARROW1\0\0", "Arrow; give it as a file whose name ends in .arrow"),
         ("e.arrow", b"FEA1", "Feather of version 1"),
+        ("f.parquet", b"vehicle.1.speed\n10\n", "is not Parquet, as its name says; let the name of a table in text end in .csv"),
     ] {
         let path = folder.write(name, bytes);
         let refused = batch(&[text(&path), "-o", "-", "--case", POSITION_A]);
         assert_eq!((refused.status, refused.err.contains(is)), (2, true), "{name}: {}", refused.err);
     }
+    let case = text(&workspace().join(POSITION_A)).to_owned();
+    let piped = run_with_input(&["batch", "-", "--case", &case, "-o", "-"], "PAR1\u{15}\0,\u{15}");
+    assert_eq!((piped.status, piped.err.contains("`<stdin>` is Parquet; give it as a file")), (2, true), "{}", piped.err);
 }
 
 #[test]
@@ -202,8 +206,7 @@ fn columns_with_other_signs_and_rows_without_numbers_are_named() {
     let si =
         "note: read in SI for want of a unit: vehicle.1.speed [m/s], vehicle.1.heading [rad]; write the unit of each behind its name\n";
     assert_eq!(beside.split_whitespace().collect::<Vec<_>>(), si.split_whitespace().collect::<Vec<_>>());
-    let angles =
-        "note: read in rad for want of a unit: vehicle.1.heading, contact.crush_plane; write [deg] behind the name of one in degrees\n";
+    let angles = "note: read in radians for want of a unit: vehicle.1.heading, contact.crush_plane; write [deg] or [deg/s] behind the name of one in degrees\n";
     assert_eq!(said("vehicle.1.heading,contact.crush_plane,vehicle.2.speed\n3.1,0.1,9\n"), angles);
     // What stands behind the brackets is no unit, and the symbol of an input names it.
     for (header, remedy) in [
@@ -371,6 +374,7 @@ fn sizes_that_no_road_vehicle_has_are_told_at_the_end() {
         let done = batch(&[text(&source), "-o", text(&target), "--case", POSITION_A, "--of", "T_L", "--threads", threads]);
         let said: Vec<&str> = done.err.lines().filter(|line| !line.starts_with("row ")).collect();
         let wanted = [
+            "note: read in radians for want of a unit: vehicle.2.yaw_rate; write [deg] or [deg/s] behind the name of one in degrees",
             "warning: vehicle.1: no road vehicle has a mass of 99 kg; check its unit (row 4001, and 3 more)",
             "warning: vehicle.1: no road vehicle has a speed of 120.00 m/s; check its unit (row 11001)",
             "warning: vehicle.1: a radius of gyration of 6.00 m is unusual; check mass and yaw inertia (row 11002)",
@@ -615,7 +619,7 @@ fn a_call_that_fails_writes_no_file() {
         (&["no-such.csv"], 2, "there is no such file"),
         (&["cli"], 2, "it must end in .csv, .parquet, .arrow, .feather or .ipc"),
         (&["-", "-"], 2, "standard input can be read only once"),
-        (&[&path("not.parquet")], 2, "cannot be read as a table"),
+        (&[&path("not.parquet")], 2, "is not Parquet, as its name says"),
         (&[&path("not.arrow")], 2, "cannot be read as a table"),
         (&[&path("unit.csv")], 2, "write the unit in brackets: `vehicle.1.speed [mph]`"),
         (&[&path("semicolons.csv")], 2, "cannot be read as a table: the columns are separated by semicolons or tabs"),

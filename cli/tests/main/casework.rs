@@ -63,7 +63,7 @@ fn momentum_is_the_parallelogram_of_momenta() {
     close(&answer["unknown"]["contact.impulse.y"]["value"], impulse[1], 1e-9);
     let squares = |a: f64, b: f64| (a * a + b * b) * MPH * MPH;
     let loss = 0.5 * (m1 * (squares(v1, 0.0) - squares(14.0, 16.0)) + m2 * (squares(v2, 0.0) - squares(12.0, 19.0)));
-    close(&answer["derived"]["energy.loss"]["value"], loss, 1e-9);
+    close(&answer["solution"]["energy"]["loss"], loss, 1e-9);
     close(&answer["derived"]["vehicle.1.delta_v_magnitude"]["value"], impulse[0].hypot(impulse[1]) / m1, 1e-9);
     // Clockwise from ahead: the push on vehicle 1 comes from its front right, that on vehicle 2 is the opposite.
     let pdof = (impulse[1]).atan2(-impulse[0]);
@@ -99,12 +99,26 @@ fn angular_momentum_takes_part_where_both_vehicles_give_it() {
         notes.contains("contact.restitution is not solved for") && notes.contains("contact.impulse_ratio is not solved for"),
         "{notes}"
     );
-    // A yaw rate is evidence then, and only then.
+    // A yaw rate is evidence then, and only then; and so are energies, of which rotation is a part.
+    assert!(answer["derived"]["energy.loss"]["interval"]["low"].is_f64(), "{answer}");
     let with_yaw = |case: &str| case.replace("[evidence]\n", "[evidence]\nvehicle.1.separation_yaw_rate = \"400 deg/s ± 5 deg/s\"\n");
     assert_eq!(json_of(&["reconstruct"], &with_yaw(&case))["degrees_of_freedom"], 1);
     let refused = run_with_input(&["reconstruct", "-"], &with_yaw(&case.replace("impact_center = [\"2 ft\", \"3 ft\"]\n", "")));
     assert_eq!((refused.status, refused.out.as_str()), (2, ""));
     assert!(flat(&refused.err).contains("vehicle.1.separation_yaw_rate needs angular momentum"), "{}", refused.err);
+    let points = example("reconstruct/momentum.toml");
+    let answer = json_of(&["reconstruct"], &points);
+    assert!(answer["derived"].get("energy.loss").is_none() && answer["notes"].to_string().contains("translation alone"), "{answer}");
+    for energy in ["energy.loss", "energy.after"] {
+        let with_energy = points.replace("[evidence]\n", &format!("[evidence]\n{energy} = \"100 kJ ± 10 kJ\"\n"));
+        let refused = run_with_input(&["reconstruct", "-"], &with_energy);
+        let says = format!("{energy} includes the energy of rotation, of which point masses have none");
+        assert!(refused.status == 2 && flat(&refused.err).contains(&says), "{}", refused.err);
+        let asked = run_with_input(&["reconstruct", "-", "--probability", &format!("{energy} > 100 kJ")], &points);
+        assert!(asked.status == 2 && flat(&asked.err).contains("includes the energy of rotation"), "{}", asked.err);
+    }
+    let page = flat(&run_with_input(&["reconstruct", "-"], &points).out);
+    assert!(page.contains("approach velocity of the centers of mass") && page.contains("between the centers of mass"), "{page}");
 }
 
 #[test]

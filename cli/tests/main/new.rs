@@ -77,9 +77,9 @@ fn read(text: &str) -> Result<Case, Issues> {
         // The impact center of the template lies beside its center of mass, whose restitution a speed would give.
         let text: Vec<&str> = text.lines().filter(|line| name != "load-cells.toml" || !line.starts_with("speed =")).collect();
         let text = text.join("\n");
-        Ok(Source { name: name.to_owned(), text })
+        Ok(Source::new(name, text))
     };
-    Case::parse_with(Source { name: "case.toml".to_owned(), text: text.to_owned() }, Box::new(open))
+    Case::parse_with(Source::new("case.toml", text), Box::new(open))
 }
 
 /// Reads a case and uses it: in a reconstruction for evidence and unknowns and by momentum alone, otherwise in a solution.

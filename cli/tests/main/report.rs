@@ -131,6 +131,13 @@ fn a_report_names_what_it_stands_on() {
     // sha256sum of the file.
     let digits = "ea320a26aee0d1335e683e6b381fb5638c344b32480cf35c3d18091167918e85";
     assert!(section(&html, "summary").contains(digits), "{}", section(&html, "summary"));
+    // The same of the file with a byte order mark, which the embedded one keeps.
+    let marked = format!("\u{feff}{}", fs::read_to_string(workspace().join("cli/examples/position-a.toml")).expect("the example"));
+    let of_marked = run_with_input(&["report", "-"], &marked).out;
+    assert!(
+        section(&of_marked, "summary").contains("0290618c9b7a887873cf4d64ce02564c0005e5a042322cab83d803e2811f6c06")
+            && embedded(&of_marked) == marked
+    );
     assert!(section(&html, "method").contains("<math") && section(&html, "method").contains("<mfrac>"));
     assert!(section(&html, "alternatives").contains("law of Kudlich-Slibar"));
     assert!(section(&html, "results").matches("<figure>").count() == 2 && section(&html, "sensitivity").contains("<figure>"));

@@ -768,3 +768,61 @@ fn slopes_that_say_little_of_a_deviation_have_a_warning() {
     assert!(!is_warned && oblique["linear"]["sd_if_halved"]["contact.crush_plane"].is_f64(), "{oblique}");
     assert!(!found("0 deg ± 4 deg", "second-order").1);
 }
+
+/// Two cars of which vehicle 1 has a crush of its own, and vehicle 2 an even one.
+fn crushed(crush: &str) -> String {
+    let vehicle = |heading: u32, speed: u32, crush: &str| {
+        format!(
+            "[[vehicle]]\nmass = \"1500 kg\"\nyaw_inertia = \"2500 kg m^2\"\nheading = \"{heading} deg\"\nspeed = \"{speed} m/s\"\nimpact_center = [\"2 m\", \"0.3 m\"]\n\
+             [vehicle.crush]\nwidth = \"1.5 m\"\n{crush}\n"
+        )
+    };
+    let even = "depths = [\"0.3 m\", \"0.3 m\"]\nstiffness = { A = \"50 kN/m\", B = \"500 kN/m^2\" }";
+    let contact = "[contact]\ncrush_plane = \"0 deg\"\nrestitution = 0.1\n";
+    format!("schema = 1\n{}{}{contact}", vehicle(0, 15, crush), vehicle(180, 10, even))
+}
+
+fn of_crushed(crush: &str, of: &str, method: &str) -> (Value, Vec<String>) {
+    let call = ["uncertainty", "-", "--of", of, "--method", method, "--format", "json"];
+    let run = run_with_input(&call, &crushed(crush));
+    let answer: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err));
+    let codes = codes(&answer).into_iter().map(str::to_owned).collect();
+    (answer["of"][of].clone(), codes)
+}
+
+/// The correction of CRASH3 has a limit at 45 degrees: slopes there are those of one side, and of its square, 1/cos², or nothing.
+#[test]
+fn slopes_at_a_corner_have_a_warning() {
+    let of_direction = |pdof: &str| {
+        let crush = format!(
+            "depths = [\"0.3 m\", \"0.3 m\"]\nstiffness = {{ A = \"50 kN/m\", B = \"500 kN/m^2\" }}\nsurface = \"front\"\npdof = \"{pdof}\""
+        );
+        of_crushed(&crush, "vehicle.1.crash3.correction", "linear")
+    };
+    for (pdof, is_warned) in [("45 deg ± 5 deg", true), ("46 deg ± 5 deg", true), ("35 deg ± 3 deg", false), ("60 deg ± 5 deg", false)]
+    {
+        let (found, codes) = of_direction(pdof);
+        assert_eq!(codes.iter().any(|code| code == "linear-at-corner"), is_warned, "{pdof}: {codes:?}");
+        assert_eq!(found["linear"]["sd_if_halved"]["vehicle.1.crush.pdof"].is_null(), is_warned, "{pdof}: {found}");
+    }
+}
+
+/// By hand: 0.3 m everywhere keep 1.5 (G + A C + ½ B C²) = 60 kJ, less 1.5 · ½ B (C − C_s)² from a saturation at 0.15 m.
+#[test]
+fn a_saturation_at_equal_depths_has_bounds() {
+    let depths = "depths = [\"0.3 m\", \"0.3 m\"]\nstiffness = { A = \"50 kN/m\", B = \"500 kN/m^2\", saturation = \"0.3 m ± 0.05 m\" }";
+    let (found, codes) = of_crushed(depths, "vehicle.1.crush_energy", "bounds");
+    let end = |key: &str| found["bounds"][key].as_f64().unwrap_or_else(|| panic!("{key} of {found}"));
+    assert!((end("low") - 51_562.5).abs() < 1e-3 && (end("high") - 60_000.0).abs() < 1e-3 && codes.is_empty(), "{found} {codes:?}");
+}
+
+/// The correction is at most 2, and the share of a mass that is effective at most 1, in intervals too.
+#[test]
+fn bounds_keep_to_what_a_factor_can_be() {
+    let crush = "depths = [\"0.3 m\", \"0.3 m\"]\nstiffness = { A = \"50 kN/m\", B = \"500 kN/m^2\" }\nsurface = \"front\"\npdof = \"10 deg ± 20 deg\"";
+    for (of, most) in [("vehicle.1.crash3.correction", 2.0), ("vehicle.1.crash3.effective_mass_factor", 1.0)] {
+        let (found, _) = of_crushed(crush, of, "bounds");
+        let high = found["bounds"]["high"].as_f64().unwrap_or_else(|| panic!("{found}"));
+        assert!(high <= most && high > 0.999 * most, "{of}: {found}");
+    }
+}

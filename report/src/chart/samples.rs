@@ -23,7 +23,7 @@ impl Random {
 }
 
 pub fn case(text: &str) -> Case {
-    let source = Source { name: "case".to_owned(), text: text.to_owned() };
+    let source = Source::new("case", text);
     Case::parse(source).unwrap_or_else(|issues| panic!("{issues}\n{text}"))
 }
 

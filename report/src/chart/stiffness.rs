@@ -195,7 +195,7 @@ mod tests {
     use planar_impact_app::{Source, Uncontrolled};
 
     fn answer(text: &str) -> Answer<StiffnessAnswer> {
-        let file = TestFile::parse(Source { name: "tests".to_owned(), text: text.to_owned() }).unwrap_or_else(|issues| panic!("{issues}"));
+        let file = TestFile::parse(Source::new("tests", text)).unwrap_or_else(|issues| panic!("{issues}"));
         fit(&file, &(), &Uncontrolled).unwrap_or_else(|issues| panic!("{issues}"))
     }
 

@@ -112,15 +112,22 @@ fn braking(solution: &Solution, units: Units) -> Vec<Vec<String>> {
     rows
 }
 
+/// Returns `true` if the vehicles are point masses, so that the velocities of the contact are those of their centers.
+fn is_of_points(solution: &Solution) -> bool {
+    solution.vehicles.iter().all(|vehicle| vehicle.yaw_rate.is_nan())
+}
+
 fn contact(solution: &Solution, units: Units) -> Table {
     let contact = &solution.contact;
     let row = |what: &str, measure: Measure, normal: f64, tangential: Option<f64>| {
         let number = |value| units.number(measure, value, solution.scale(measure));
         vec![what.to_owned(), units.unit(measure).to_owned(), number(normal), tangential.map(number).unwrap_or_default()]
     };
+    let approach =
+        if is_of_points(solution) { "approach velocity of the centers of mass" } else { "approach velocity at the impact center" };
     let (v, s, p, energy) = (&contact.approach, &contact.separation, &contact.impulse, &solution.energy);
     let mut rows = vec![
-        row("approach velocity at the impact center", Measure::Speed, v.normal, Some(v.tangential)),
+        row(approach, Measure::Speed, v.normal, Some(v.tangential)),
         row("separation velocity", Measure::Speed, s.normal, Some(s.tangential)),
         row("impulse on vehicle 1", Measure::Impulse, p.normal, Some(p.tangential)),
         row("work of the impulse, W_n and W_t", Measure::Energy, energy.normal_work, Some(energy.tangential_work)),
@@ -167,10 +174,11 @@ fn remarks(solution: &Solution, units: Units) -> Vec<Block> {
         ImpulseRatioGiven::Friction => format!("critical{by_law}, less than {}", given("friction")),
     };
     if contact.model.is_some() {
+        let between = if is_of_points(solution) { "centers of mass" } else { "impact centers" };
         let along = units.quantity(Measure::Angle, contact.crush_plane);
         let restitution = if contact.restitution.is_finite() { ratio(contact.restitution) } else { "none".to_owned() };
         return vec![Block::Verbatim(format!(
-            "By momentum alone. The normal is along the impulse, at {along} from x;\nrestitution along it, between the impact centers: {restitution}."
+            "By momentum alone. The normal is along the impulse, at {along} from x;\nrestitution along it, between the {between}: {restitution}."
         ))];
     }
     let plane = units.quantity(Measure::Angle, contact.crush_plane);

@@ -61,7 +61,7 @@ mod tests {
     #[test]
     fn behind_a_wall_is_away_from_the_vehicle() {
         let text = template::of("barrier").expect("a template").to_owned();
-        let case = Case::parse(Source { name: "case.toml".to_owned(), text }).expect("a case");
+        let case = Case::parse(Source::new("case.toml", text)).expect("a case");
         let scene = draw(&case, &(), &Uncontrolled).expect("a scene");
         let from = |[x, y]: [f64; 2]| [x - scene.impact_point[0], y - scene.impact_point[1]];
         let (behind, vehicle) = (from(behind(&scene, 1, 10.0)), from(scene.vehicles[0].position));

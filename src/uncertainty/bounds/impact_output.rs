@@ -121,7 +121,7 @@ fn response<T>(impact: &Impact<T>, side: Side) -> &Response<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::uncertainty::Direct;
+    use crate::uncertainty::{Direct, Search, bounds, bounds_of};
     use crate::{Heading, ImpulseRatio, Input, Vehicle};
 
     #[test]
@@ -148,6 +148,25 @@ mod tests {
                 assert_eq!(output.over(&cell), apart, "{of:?} {plane:?}");
                 assert_eq!(apart.is_continuous, is_continuous, "{of:?} {plane:?}");
             }
+        }
+    }
+
+    /// A search that ends at once has no bound of its own below the free one: physics refuses a gain of energy, and no magnitude is negative.
+    #[test]
+    fn what_is_never_below_zero_has_no_lower_bound_below() {
+        let car = |speed: f64| Vehicle::new(1500.0, 2500.0).with_impact_center(1.8, 0.4).with_speed(speed);
+        let other = car(12.0).with_heading(Heading::from_angle(3.0));
+        let collision = Collision::new(car(14.0), other).with_restitution(0.1);
+        let inputs =
+            [Input::VelocityX(Side::One), Input::VelocityY(Side::One), Input::VelocityX(Side::Two), Input::CrushPlane, Input::Restitution];
+        let ranges = [(10.0, 18.0), (-3.0, 3.0), (-15.0, -9.0), (-0.4, 0.4), (0.0, 0.3)];
+        let search = Search { cells: 1, ..Search::default() };
+        for of in [Output::Loss, Output::EnergyAfter, Output::EnergyBefore, Output::DeltaVMagnitude(Side::One)] {
+            let range = bounds(&collision, &Direct(inputs.to_vec()), &ranges, of, &search, &|_| true).expect("it collides");
+            assert!(range.low >= 0.0 && range.low <= range.low_attained, "{of}: {range:?}");
+            let free =
+                bounds_of(&mut ImpactOutput::new(&collision, &Direct(inputs.to_vec()), of), &ranges, &search, &|_| true).expect("the same");
+            assert_eq!(range.low, free.low.max(0.0), "{of}");
         }
     }
 }

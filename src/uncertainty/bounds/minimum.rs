@@ -282,7 +282,7 @@ mod tests {
         fn value<T: Real + Copy + From<f64>>(&self, numbers: &[T]) -> T {
             let [x, y, z] = [numbers[0], numbers[1], numbers[2]];
             let beyond = x - T::int(1) / T::int(3);
-            let corner = T::select(beyond.less(&T::int(0)), T::int(0), beyond) * T::from(self.corner);
+            let corner = beyond.larger(T::int(0)) * T::from(self.corner);
             T::int(2) * x * x * x - T::int(3) * x * y + y * y * y + x * y * z - z * z + corner
         }
 

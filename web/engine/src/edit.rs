@@ -25,7 +25,7 @@ struct Value {
 }
 
 fn document(name: &str, text: &str) -> Result<Document, Issues> {
-    Document::parse(Source { name: name.to_owned(), text: text.to_owned() })
+    Document::parse(Source::new(name, text))
 }
 
 /// Returns the values at the paths of a JSON array, as a JSON array with `null` where there is none; an empty text if the file cannot be read.

@@ -281,8 +281,8 @@ mod tests {
             )
         };
         let text = format!("schema = 1\n{}{}[contact]\ncrush_plane = 0\nrestitution = 0\n", vehicle(0.0), vehicle(3.1));
-        let open = move |name: &str| Ok(Source { name: name.to_owned(), text: tests.clone() });
-        Case::parse_with(Source { name: "case.toml".to_owned(), text }, Box::new(open)).unwrap_or_else(|issues| panic!("{issues}"))
+        let open = move |name: &str| Ok(Source::new(name, tests.clone()));
+        Case::parse_with(Source::new("case.toml", text), Box::new(open)).unwrap_or_else(|issues| panic!("{issues}"))
     }
 
     /// The mean of k vehicles that are known exactly has 1/k of the variance of one, which a further one has in addition: two further ones share 1/(k + 1).

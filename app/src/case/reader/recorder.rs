@@ -344,8 +344,8 @@ mod tests {
         let rows: String = (-60..=130).map(row).collect();
         let samples = format!("time [ms],normal_force.a [kN],tangential_force.b [kN]\n{rows}");
         let text = format!("schema = 1\nfile = \"a.csv\"\nmass = {mass}\nspeed = 10\n");
-        let open = move |_: &std::path::Path| Ok(Source { name: "a.csv".to_owned(), text: samples.clone() });
-        let recording = Recording::parse_by(Source { name: "a.toml".to_owned(), text }, open).unwrap_or_else(|issues| panic!("{issues}"));
+        let open = move |_: &std::path::Path| Ok(Source::new("a.csv", samples.clone()));
+        let recording = Recording::parse_by(Source::new("a.toml", text), open).unwrap_or_else(|issues| panic!("{issues}"));
         recording.analyse().unwrap_or_else(|issues| panic!("{issues}")).0
     }
 

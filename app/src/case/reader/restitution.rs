@@ -143,7 +143,7 @@ mod tests {
             "schema = 1\n[[vehicle]]\nmass = 1000\nyaw_inertia = 1500\nheading = 0\nspeed = 10\nimpact_center = [2, 0]\n\
              [[vehicle]]\nbarrier = true\n[contact]\ncrush_plane = 0\nrestitution = {restitution}\n"
         );
-        Case::parse(Source { name: "case.toml".to_owned(), text })
+        Case::parse(Source::new("case.toml", text))
     }
 
     #[test]

@@ -274,8 +274,8 @@ mod tests {
         };
         let contact = format!("[contact]\ncrush_plane = 0\nrestitution = {restitution}\n");
         let text = format!("schema = 1\n{}{}{contact}", vehicle(mass), vehicle("\"1 t\""));
-        let open = move |name: &str| Ok(Source { name: format!("folder/{name}"), text: csv.to_owned() });
-        Case::parse_with(Source { name: "case.toml".to_owned(), text }, Box::new(open))
+        let open = move |name: &str| Ok(Source::new(format!("folder/{name}"), csv));
+        Case::parse_with(Source::new("case.toml", text), Box::new(open))
     }
 
     const MASS: Parameter = Parameter::Input(Input::Mass(Side::One));
@@ -405,7 +405,7 @@ mod tests {
     #[test]
     fn a_case_without_files_has_a_remedy() {
         let text = "schema = 1\n[[vehicle]]\nmass = { file = \"m.csv\", column = \"m\" }\n".to_owned();
-        let issues = Case::parse(Source { name: "case.toml".to_owned(), text }).err().expect("it is refused");
+        let issues = Case::parse(Source::new("case.toml", text)).err().expect("it is refused");
         assert!(issues.to_string().contains("cannot name another one (give the values in the case itself"), "{issues}");
     }
 }

@@ -224,7 +224,7 @@ impl CaseReader {
 pub(crate) fn samples_of(field: Field<'_>) -> Option<Source> {
     let name = field.path().to_owned();
     // The line break after the opening quotes of a JSON or a one-line text is part of it.
-    field.string().map(|text| Source { name, text: text.trim_start_matches(['\r', '\n']).to_owned() })
+    field.string().map(|text| Source::new(name, text.trim_start_matches(['\r', '\n'])))
 }
 
 fn sign(table: &Table<'_>) -> Option<f64> {

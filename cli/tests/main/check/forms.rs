@@ -141,6 +141,19 @@ fn the_form_is_told_by_the_text_where_the_name_does_not() {
     }
 }
 
+/// As a spreadsheet exports a table: each line with the commas of the widest one, and empty rows below.
+#[test]
+fn a_table_that_a_spreadsheet_pads_is_read() {
+    let padded = "# planar-impact-record/1,,,\nid,b1.mass,,\n,kg,,\na,1000,,\n,,,\nb,1100,,\n,,,\n,,,\n";
+    let run = check_file("padded.csv", padded.as_bytes(), &[]);
+    assert_eq!((run.status, run.err.as_str()), (0, ""));
+    assert!(run.out.starts_with("2 records:"), "{}", run.out);
+    let stray = check_file("stray.csv", padded.replace("b,1100,,", "b,1100,,x").as_bytes(), &[]);
+    assert!(stray.status != 0 && (stray.out + &stray.err).contains("`x` stands in a column without a name"));
+    let nameless = check_file("nameless.csv", padded.replace(",kg,,", ",kg,m,").as_bytes(), &[]);
+    assert!(nameless.status == 2 && nameless.err.contains("the column of the unit `m` has no name"), "{}", nameless.err);
+}
+
 #[test]
 fn a_document_may_have_its_header_behind_its_records() {
     let text = format!("{{\"records\": [{}], \"tool\": {{\"name\": \"x\"}}, {HEADER}}}", sound("a", ("", "")));

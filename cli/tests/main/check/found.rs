@@ -291,3 +291,27 @@ fn a_verdict_knows_no_first_body() {
     assert!(rules(&given).is_some_and(|rules| rules.iter().all(|rule| rule != "malformed")), "{given}");
     assert_eq!((&given["verdict"], rules(&given)), (&exchanged["verdict"], rules(&exchanged)), "{given} {exchanged}");
 }
+
+/// A car against a wall that pushes along the normal alone, while the lever goes from 0.7 to 1.1 m: its work is the change of the kinetic energy. By the mean of the speeds
+/// at its ends, and at the one lever of a record without the other, it would be another.
+#[test]
+fn works_and_speeds_of_a_contact_that_lasts_are_those_between_its_ends() {
+    let record = |point_after: &str, before: &str, reported: &str| {
+        format!(
+            "{{\"id\": \"a\", \"bodies\": [{{\"mass\": 1500, \"yaw_inertia\": 3000, \"cg\": [-1.8, -0.7], \"before\": {{\"v\": [14, 0]{before}}}, \
+             \"after\": {{\"v\": [2, 0], \"yaw_rate\": 309.3972093706457, \"cg\": [-1, -0.7]}}}}, {{\"fixed\": true}}], \"contact\": {{\"point\": [0, 0], \
+             \"normal_angle\": 0, \"duration\": 0.1{point_after}}}, {reported}}}"
+        )
+    };
+    let (placed, still) = (", \"point_after\": [0, 0.4]", ", \"yaw_rate\": 0");
+    for (record, verdict) in [
+        (record(placed, still, "\"reported\": {\"energy_loss\": 100260, \"work_normal\": -100260, \"work_tangential\": 0}"), "pass"),
+        (record(placed, still, "\"reported\": {\"work_normal\": -150000}"), "fail"),
+        (record("", still, "\"reported\": {\"separation_speed\": 3.94}"), "warn"),
+        (record("", "", "\"model\": {\"restitution\": 0.2814}, \"reported\": {\"closing_speed\": 14}"), "warn"),
+        (record("", still, "\"reported\": {\"separation_speed\": 394}"), "fail"),
+    ] {
+        let (_, report) = check(&lines(std::slice::from_ref(&record)), &[]);
+        assert_eq!(records(&report)[0]["verdict"], verdict, "{record} {report}");
+    }
+}

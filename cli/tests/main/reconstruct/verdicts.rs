@@ -280,3 +280,16 @@ fn bounds_of_every_direction_cut_nothing() {
     let range = &found["unknown"]["contact.crush_plane"]["guaranteed"];
     assert!(number(&range["low"]) > -1.5 && number(&range["high"]) < 1.5, "{range}");
 }
+
+/// The best fit slides, and another minimum sticks, 0.05 standard deviations from it in either speed: the corner where friction begins to hold is in one valley.
+#[test]
+fn a_corner_of_friction_is_no_second_answer() {
+    let case =
+        std::fs::read_to_string(crate::process::workspace().join("cli/tests/reproducers/corner_of_friction.json")).expect("a reproducer");
+    let (found, status) = answer(&case);
+    assert_eq!((status, &found["verdict"]), (0, &Value::from("agrees")), "{found}");
+    assert_eq!(found["other_minima"].as_array().map(Vec::len), Some(1), "{found}");
+    let interval = &found["unknown"]["vehicle.1.speed"]["interval"];
+    let beyond = number(&found["other_minima"][0]["unknown"]["vehicle.1.speed"]);
+    assert!(number(&interval["low"]) < beyond && beyond < number(&interval["high"]), "{found}");
+}

@@ -195,3 +195,34 @@ fn a_film_that_contradicts_its_file_is_told() {
     let run = of("[[channel]]\ncolumn = \"distance\"\nquantity = \"distance\"\npolarity = -1\n");
     assert!(run.status != 0 && run.err.contains("grows by") && run.err.contains("add or remove `polarity = -1`"), "{}", run.err);
 }
+
+/// A car that brakes into a barrier, at exactly 10 m/s: the local line before the contact is the mean of 9 frames, in which it was faster.
+#[test]
+fn the_curvature_of_a_film_is_in_its_deviations() {
+    let of = |braking: f64, slowing: f64| {
+        // Errors of up to 1 mm, as good as by chance.
+        let error = |i: i32| {
+            let digits = (12.9898 * f64::from(i) + 1.0).sin() * 43_758.545_3;
+            2.0 * (digits - digits.floor()) - 1.0
+        };
+        let place = |i: i32| {
+            let t = f64::from(i) / 120.0;
+            let left = t - 0.1;
+            let way = if t <= 0.0 { -10.0 * t + 0.5 * braking * t * t } else { -t * (0.1 - t).max(0.0) };
+            way + if left > 0.0 { 1.0 * left - 0.5 * slowing * left * left } else { 0.0 }
+        };
+        let rows: String =
+            (-24..=36).map(|i| format!("{:.4},{:.4}\n", f64::from(i) / 0.12, 5000.0 + 1000.0 * place(i) + error(i))).collect();
+        record_of(&format!("time [ms],distance [mm]\n{rows}"), Some("window = [\"0 ms\", \"100 ms\"]\nseparation = \"100 ms\"\n"))
+    };
+    let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
+    for (braking, slowing) in [(0.0, 0.0), (3.0, 0.0), (7.0, 0.0), (0.0, 7.0)] {
+        let (record, run) = of(braking, slowing);
+        let film = &record["films"][0];
+        let off = (number(&film["closing_speed"]["value"]) - 10.0) / number(&film["closing_speed"]["sd"]);
+        assert!(off.abs() < 2.0, "{braking}: {film}");
+        let off = (number(&film["restitution"]["value"]) - 0.1) / number(&film["restitution"]["sd"]);
+        assert!(off.abs() < 2.0, "{slowing}: {film}");
+        assert_eq!(run.out.contains("film-bends"), braking > 0.0 || slowing > 0.0, "{braking} {slowing}: {}", run.out);
+    }
+}

@@ -669,3 +669,25 @@ fn velocity_changes_of_no_impact_are_told() {
     assert!(told(&sound.replace("-11", "-101")).contains("no road vehicle has a speed of 101.00 m/s"));
     assert!(!told(&sound.replace("-11", "-99")).contains("no road vehicle") && !told(sound).contains("which no impact lasts"));
 }
+
+/// A change by one step from each reading to the next goes on, though the last tenth of its time changes by no more than rounding.
+#[test]
+fn few_steps_are_whole_only_if_they_stand_still() {
+    let of = |changes: &[i32]| {
+        let rows: String = changes.iter().enumerate().map(|(i, change)| format!("{},{change}\n", 10 * i)).collect();
+        record_of(&format!("time [ms],delta_v_forward [mph]\n{rows}"), None).0["channels"][0]["is_truncated"].clone()
+    };
+    for (changes, is_truncated) in [
+        (&[0, 0, -1, -2, -3, -4, -5, -6, -7][..], true),
+        (&[0, 0, -1, -2, -4, -6, -8, -10, -11], true),
+        (&[0, 0, -1, -2], true),
+        (&[0, 0, 0, -1], true),
+        (&[0, 0, -1, -1, -1], false),
+        (&[0, 0, -1, -2, -3, -4, -5, -6, -7, -7, -7, -7, -7], false),
+        (&[0, 0, -1, -3, -6, -9, -11, -12, -12, -12, -12], false),
+        // Beside the brakes, of 0.5 g.
+        (&[0, 0, -1, -3, -6, -9, -11, -12, -12, -12, -12, -12, -13, -13, -13, -13, -13], false),
+    ] {
+        assert_eq!(of(changes), is_truncated, "{changes:?}");
+    }
+}
