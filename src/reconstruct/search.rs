@@ -350,7 +350,8 @@ fn is_one_beyond_corner(model: &Model<'_>, one: &Solution, other: &Solution) -> 
     const RISE: f64 = 1.0;
     let [from, to] = [one, other].map(|solution| solution.unknowns.iter().map(|estimate| estimate.value).collect::<Vec<f64>>());
     let piece = |unknowns: &[f64]| model.solve(unknowns).ok().map(|(placed, _)| Piece::of(&placed));
-    if piece(&from) == piece(&to) {
+    // In a flat valley beyond the corner every search ends in a different place.
+    if piece(&from) == piece(&to) || !other.unknowns.iter().all(|estimate| estimate.is_determined) {
         return false;
     }
     let limit = one.chi_square.max(other.chi_square) + RISE;
