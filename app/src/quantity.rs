@@ -274,6 +274,11 @@ impl Conversion {
 
 /// Returns the error of two numbers that are the ends of a range, such as `40-45 mph`.
 fn of_range(text: &str, kind: Kind) -> Option<QuantityError> {
+    /// Bytes of a text that a person writes: each sign in it may stand between the ends.
+    const LONGEST: usize = 100;
+    if text.len() > LONGEST {
+        return None;
+    }
     let ends = ["-", "–", "—", "...", "..", " to "].iter().flat_map(|between| text.match_indices(between)).find_map(|(at, between)| {
         let (least, greatest) = (text[..at].trim(), text[at + between.len()..].trim());
         let is_without_unit = number::split(least).is_ok_and(|(_, unit)| unit.is_empty());

@@ -207,6 +207,9 @@ fn a_range_is_told_as_one() {
         let help = format!("where an input may be uncertain, write {{ min = \"{least}\", max = \"{greatest}\" }}");
         assert_eq!(error.help, Some(help), "{text}");
     }
+    // Nor is what would take long to read as one.
+    let hostile = format!("{}2 mph", "1 - ".repeat(100_000));
+    assert!(!parse(&hostile, Kind::SPEED).expect_err("no quantity").message.contains("range"));
     // From the greater to the lesser is no range, nor is an exponent or a unit with a sign.
     for (text, kind) in [("45-40 mph", Kind::SPEED), ("40 m s-1x", Kind::SPEED), ("1e-x m", Kind::LENGTH), ("40 - mph", Kind::SPEED)] {
         assert!(!parse(text, kind).expect_err(text).message.contains("range"), "{text}");

@@ -164,9 +164,9 @@ impl Channel {
         if is_missing(left) { Some(Cut::End) } else { is_missing(late).then_some(Cut::Beginning) }
     }
 
-    /// Returns `true` if a velocity change goes on at the last reading, or does not show that it stands still: within the last tenth of the time since it began, or the last reading but up to three tenths, it
-    /// changes at half of its mean rate, by more than one step and more than its readings scatter. What a whole half-sine, which ends with the record, changes by in so
-    /// much time is not enough. A change of few steps hardly shows rates, and has to stand still.
+    /// Returns `true` if a velocity change goes on at the last reading, or does not show that it stands still. It goes on if within the last tenth of the time since it
+    /// began, or the last reading but up to three tenths, it changes at half of its mean rate, by more than one step and more than its readings scatter. What a
+    /// whole half-sine, which ends with the record, changes by in so much time is not enough. A change of few steps hardly shows rates, and has to stand still.
     fn still_changes(&self) -> bool {
         /// Of the time since the change began.
         const LATELY: f64 = 0.1;
@@ -179,6 +179,7 @@ impl Channel {
         const STEPS: f64 = 1.5;
         /// Of which the last tenth of a ramp has too few.
         const FEW_STEPS: f64 = 25.0;
+        /// That a change at the mean rate would show while this one stands still.
         const EXPECTED: f64 = 2.5;
         /// One step, but for the rounding of the readings.
         const ONE: f64 = 1.01;
@@ -205,8 +206,7 @@ impl Channel {
             .skip_while(|before| Some(*before) > lately)
             .take_while(|before| Some(*before) == lately || share(*before) <= LATE)
             .any(changes);
-        // Where two and a half steps are expected at the mean rate, at least three readings and at most half of the time, it changes by one step, and as brakes do;
-        // of a change of one or two steps no step is little.
+        // Over at least three readings and at most half of the time it changes by one step, and as brakes do; of a change of one or two steps no step is little.
         let expected = EXPECTED * step;
         let little = if height < expected { 0.0 } else { ONE * step };
         let stands_for = (expected / height).min(0.5);

@@ -76,8 +76,8 @@ fn drift(lowess: Lowess, film: &Record, at: f64) -> f64 {
         (sum + bend * value, squares + bend * bend)
     });
     let acceleration = 2.0 * sum / of_bend;
-    let parabola = times.iter().map(|time| 0.5 * (time - at) * (time - at)).collect();
-    let line = Record::at_times(times, parabola)
+    let parabola = near.iter().map(|time| 0.5 * (time - at) * (time - at)).collect();
+    let line = Record::at_times(near.to_vec(), parabola)
         .and_then(|parabola| Lowess { robust_passes: 0, ..lowess }.smooth(&parabola))
         .and_then(|smoothed| smoothed.at(at));
     let drift = line.map_or(0.0, |line| acceleration * line.slope.value);
