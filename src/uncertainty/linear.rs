@@ -82,10 +82,10 @@ impl<M: Model> Uncertain<M> {
     /// let car = Vehicle::new(1500.0, 2500.0).with_impact_center(2.0, 0.3).with_speed(15.0);
     /// // The friction is the critical impulse ratio: below it slides, above it holds and has no effect.
     /// let collision = Collision::new(car, Party::Barrier).with_restitution(0.1);
-    /// let critical = collision.solve()?[Output::CriticalImpulseRatio].abs();
+    /// let critical = f64::abs(collision.sensitivity(Output::CriticalImpulseRatio)?.value);
     /// let limited = collision.with_impulse_ratio(ImpulseRatio::LimitedByFriction(critical));
-    /// let uncertain = limited.uncertain(&[(Input::Friction, Distribution::Normal { mean: critical + 1e-6, sd: 0.05 })])?;
-    /// let beside = uncertain.beside_means(Output::TangentialEnergyLoss, &uncertain.linear(Output::TangentialEnergyLoss)?);
+    /// let uncertain = limited.uncertain(&[(Input::ImpulseRatio, Distribution::Normal { mean: critical + 1e-6, sd: 0.05 })])?;
+    /// let beside = uncertain.beside_means(Output::TangentialWork, &uncertain.linear(Output::TangentialWork)?);
     /// assert!(beside.by_slopes == 0.0 && beside.by_values > 0.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
