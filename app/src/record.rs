@@ -2,6 +2,7 @@
 
 mod analysis;
 mod channel;
+mod cut;
 mod film;
 mod kinematics;
 mod pulse;

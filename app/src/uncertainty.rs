@@ -317,7 +317,7 @@ impl<'a> Question<'a> {
         heavy.map(|(parameter, _)| *parameter)
     }
 
-    /// Adds what derivatives say of an output, with a warning of a corner unless one of its reason stands for all outputs.
+    /// Adds what derivatives say of an output, with a warning of a corner unless another one gives its reason.
     fn expand_one(
         &self,
         of: CaseOutput,

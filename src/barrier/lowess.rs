@@ -122,7 +122,7 @@ impl<T: Ordered<Mask = bool>> Smoothed<T> {
         }
         issues.finish()?;
         let shares = self.shares_at(&time)?;
-        let noise = if shares.is_trusted { self.noise.clone() } else { greater(self.scatter_about(&time, &shares), self.noise.clone()) };
+        let noise = if shares.is_trusted { self.noise.clone() } else { self.noise.clone().larger(self.scatter_about(&time, &shares)) };
         let estimate = |name, shares: &[T]| -> Result<Estimate<T>, TestIssues<T>> {
             finite_estimate(name, Estimate { value: dot(shares, &self.values), variance: dot(shares, shares) * noise.clone() })
         };
@@ -133,7 +133,7 @@ impl<T: Ordered<Mask = bool>> Smoothed<T> {
     /// that a uniform motion crosses in whole steps lie on one line, however coarse they are.
     #[must_use]
     pub fn with_noise_of_at_least(self, noise: T) -> Self {
-        Smoothed { noise: greater(noise, self.noise.clone()), ..self }
+        Smoothed { noise: self.noise.clone().larger(noise), ..self }
     }
 
     /// Returns the variance of one sample about the smoothed record, in the square of its unit.
@@ -274,10 +274,6 @@ fn bisquare<T: Ordered<Mask = bool>>(residuals: &[T]) -> Option<Vec<Trust<T>>> {
 /// Orders from small to large, with infinities and NaN last, so that the order is total.
 fn order<T: Ordered<Mask = bool>>(a: &T, b: &T) -> Ordering {
     is_finite(b).cmp(&is_finite(a)).then_with(|| b.less(a).cmp(&a.less(b)))
-}
-
-fn greater<T: Ordered<Mask = bool>>(one: T, other: T) -> T {
-    if other.less(&one) { one } else { other }
 }
 
 fn cubed<T: Field>(x: T) -> T {

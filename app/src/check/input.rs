@@ -9,6 +9,7 @@ use super::jsonl::JsonLines;
 use super::lines::{LONGEST, Lines};
 use crate::decode::not_a_text;
 use crate::document::{Value, json};
+use crate::source::Source;
 
 /// Maximum size of a JSON document read from a pipe, which cannot be read twice.
 const LARGEST_PIPED: u64 = 64 << 20;
@@ -196,7 +197,7 @@ fn sniff(mut source: Reader, extension: Option<&str>) -> Result<(Kind, Reader), 
             if let Some(is) = not_a_text(&head) {
                 return Err(vec![of_file(&format!("it {is}"))]);
             }
-            head.drain(..if head.starts_with(&[0xef, 0xbb, 0xbf]) { 3 } else { 0 });
+            head.drain(..if head.starts_with(Source::MARK.as_bytes()) { Source::MARK.len() } else { 0 });
         }
     }
     let first = head.iter().copied().find(|byte| !byte.is_ascii_whitespace());

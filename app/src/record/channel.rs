@@ -1,24 +1,15 @@
 //! A channel by itself: whether it holds the whole event, undisturbed, and in which steps it was read.
 
-use std::f64::consts::PI;
-
 use planar_impact::Distribution;
 use planar_impact::barrier::{Clock, Record, Window};
 
 use super::analysis::{Analysis, ROUNDING};
-use super::recorder::FULL_BRAKING;
+use super::cut::Cut;
 use super::recording::Channel;
 use super::{ChannelAnswer, ChannelQuantity, Clipped};
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
-
-/// The end of an event that a record lacks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Cut {
-    Beginning,
-    End,
-}
 
 impl Channel {
     /// Returns where the channel was driven beyond its range: where it reaches the given one, or else where it is flat at an extreme. A distance is flat where it
@@ -140,88 +131,7 @@ impl Channel {
         }
         Vec::new()
     }
-
-    /// Returns which end of the event the record lacks. Its end: a pulse is above a tenth of its height at the last sample, or a [velocity change still
-    /// changes](Self::still_changes). Its beginning: a pulse is above a tenth of its height at the first sample. In each case by more than two steps and more than the
-    /// noise. A pulse counts from its mean over the window before the contact, or from zero without one, and then only its beginning can be missing.
-    pub(super) fn cut(&self, before: Option<Window>) -> Option<Cut> {
-        let values = self.record.values();
-        let (first, last) = (values[0], values[values.len() - 1]);
-        let mut slack = 2.0 * self.record.resolution().unwrap_or(0.0);
-        let (unloaded, late, left) = match self.quantity {
-            ChannelQuantity::Distance | ChannelQuantity::Speed => return None,
-            quantity if quantity.is_running() => return self.still_changes().then_some(Cut::End),
-            _ => {
-                // A window without a mean is reported where the channel is integrated.
-                let mean = before.and_then(|before| self.record.baseline(&before).ok());
-                let unloaded = mean.map_or(0.0, |mean| mean.value);
-                slack = slack.max(SURE * mean.map_or(0.0, |mean| mean.deviation()));
-                (unloaded, if before.is_none() { first.abs() } else { 0.0 }, (last - unloaded).abs())
-            }
-        };
-        let height = values.iter().map(|value| (value - unloaded).abs()).fold(0.0, f64::max);
-        let is_missing = |left: f64| left > (0.1 * height).max(slack);
-        if is_missing(left) { Some(Cut::End) } else { is_missing(late).then_some(Cut::Beginning) }
-    }
-
-    /// Returns `true` if a velocity change goes on at the last reading, or does not show that it stands still. It goes on if within the last tenth of the time since it
-    /// began, or the last reading but up to three tenths, it changes at half of its mean rate, by more than one step and more than its readings scatter. What a
-    /// whole half-sine, which ends with the record, changes by in so much time is not enough. A change of few steps hardly shows rates, and has to stand still.
-    fn still_changes(&self) -> bool {
-        /// Of the time since the change began.
-        const LATELY: f64 = 0.1;
-        const LATE: f64 = 0.3;
-        /// Of the mean rate.
-        const RATE: f64 = 0.5;
-        /// Of what a half-sine that ends with the record changes by.
-        const MARGIN: f64 = 1.2;
-        /// A change by one step is rounding.
-        const STEPS: f64 = 1.5;
-        /// Of which the last tenth of a ramp has too few.
-        const FEW_STEPS: f64 = 25.0;
-        /// That a change at the mean rate would show while this one stands still.
-        const EXPECTED: f64 = 2.5;
-        /// One step, but for the rounding of the readings.
-        const ONE: f64 = 1.01;
-        let (times, values) = (self.record.times(), self.record.values());
-        let (first, end) = (values[0], values.len() - 1);
-        // Two readings show no end of the change, whatever their step.
-        if values.len() < 3 {
-            return first != values[end];
-        }
-        let step = self.step();
-        let begun = values.iter().position(|value| (value - first).abs() > STEPS * step).map_or(end, |changed| changed - 1);
-        let height = values.iter().map(|value| (value - first).abs()).fold(0.0, f64::max);
-        // Two readings that scatter differ by as much as this without any change.
-        let by_chance = SURE * 2_f64.sqrt() * scatter(values, step).deviation.unwrap_or(0.0);
-        let share = |before: usize| (times[end] - times[before]) / (times[end] - times[begun]);
-        let changes = |before: usize| {
-            let share = share(before);
-            let enough = height * (RATE * share).max(MARGIN * 0.5 * (1.0 - libm::cos(PI * share)));
-            (values[end] - values[before]).abs() > enough.max(STEPS * step).max(by_chance)
-        };
-        let lately = (begun..end).rev().find(|before| share(*before) >= LATELY);
-        let goes_on = (begun..end)
-            .rev()
-            .skip_while(|before| Some(*before) > lately)
-            .take_while(|before| Some(*before) == lately || share(*before) <= LATE)
-            .any(changes);
-        // Over at least three readings and at most half of the time it changes by one step, and as brakes do; of a change of one or two steps no step is little.
-        let expected = EXPECTED * step;
-        let little = if height < expected { 0.0 } else { ONE * step };
-        let stands_for = (expected / height).min(0.5);
-        let stands = |before: usize| {
-            let by_brakes = FULL_BRAKING * (times[end] - times[before]);
-            (values[end] - values[before]).abs() <= little.max(by_chance) + by_brakes
-        };
-        let has_few_steps = height < FEW_STEPS * step;
-        let late = |before: &usize| end - before <= 2 || share(*before) <= stands_for;
-        goes_on || (has_few_steps && height > 0.0 && !(0..end).rev().take_while(late).all(stands))
-    }
 }
-
-/// Standard deviations that are no chance.
-const SURE: f64 = 3.0;
 
 /// Fewest samples of which a common step is no chance.
 const MANY: usize = 16;

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::analysis::ROUNDING;
 use super::channel::{Scatter, greatest, scatter, stretch};
+use super::cut::FULL_BRAKING;
 use super::recording::Channel;
 use super::{ChannelQuantity, Recording, Uncertain};
 use crate::issue::Issue;
@@ -426,9 +427,6 @@ fn of_jump(before: &[PreCrash], noise: Noise, path: &str) -> Option<Notice> {
         .text(" before the impact, which neither brakes nor an engine do: check its sign, and whether a number marks a missing reading");
     Some(Notice::warning("speed-jumps", path, message))
 }
-
-/// The greatest deceleration of a vehicle that brakes, in m/s²: 0.8 g.
-pub(super) const FULL_BRAKING: f64 = 0.8 * planar_impact::STANDARD_GRAVITY;
 
 /// Returns the last speed that was stored up to the impact. It may have changed since: at the rate at which it changed last, or by braking that began later, which
 /// is within the 95 % interval.

@@ -200,7 +200,7 @@ fn a_film_that_contradicts_its_file_is_told() {
 #[test]
 fn the_curvature_of_a_film_is_in_its_deviations() {
     let of = |braking: f64, slowing: f64| {
-        // Errors of up to 1 mm, as good as by chance.
+        // Errors of up to 1 mm in no order.
         let error = |i: i32| {
             let digits = (12.9898 * f64::from(i) + 1.0).sin() * 43_758.545_3;
             2.0 * (digits - digits.floor()) - 1.0
