@@ -5,6 +5,7 @@
 
 mod compound;
 mod kind;
+mod meant;
 mod number;
 mod unit;
 mod wide;

@@ -118,7 +118,7 @@ impl Judge {
     /// Takes the failures of a judge of motions that follow from a part of the record, and that what is reported was held against.
     pub(super) fn take_failures_of_implied(&mut self, mut of_implied: Judge, source: &str) {
         for found in &mut of_implied.findings {
-            found.what = format!("with the motions that {source} leads to, {}", found.what);
+            found.what = format!("with what follows from {source}, {}", found.what);
         }
         if of_implied.checked.contains(Rule::Reported) {
             self.checks(Rule::Reported);

@@ -91,12 +91,17 @@ pub(super) struct Touch<const N: usize> {
 impl<'a, const N: usize> Known<'a, N> {
     pub(super) fn of(record: &'a Record) -> Self {
         let point = pair(record, Key::PointX, Key::PointY);
-        Known::of_bodies(record, Side::ALL.map(|side| Subject::of(record, side, point)), None)
+        let plane = number(record, Key::NormalAngle).map(turned);
+        Known::of_bodies(record, Side::ALL.map(|side| Subject::of(record, side, point)), plane, None)
     }
 
-    /// Returns what is known of bodies, with the impulse on body 1 if their motions do not determine it.
-    pub(super) fn of_bodies(record: &'a Record, [one, two]: [Subject<N>; 2], impulse: Option<Xy<Uncertain<N>>>) -> Self {
-        let plane = number(record, Key::NormalAngle).map(turned);
+    /// Returns what is known of bodies and the crush plane, with the impulse on body 1 if the motions do not determine it.
+    pub(super) fn of_bodies(
+        record: &'a Record,
+        [one, two]: [Subject<N>; 2],
+        plane: Option<CrushPlane<Uncertain<N>>>,
+        impulse: Option<Xy<Uncertain<N>>>,
+    ) -> Self {
         let on_two = two.momentum_gained().map(|gained| -gained);
         let radius = |p: &Xy<Uncertain<N>>| p.x.radius() + p.y.radius();
         let mean = |one: Xy<Uncertain<N>>, two: Xy<Uncertain<N>>| Xy { x: one.x.mean(two.x), y: one.y.mean(two.y) };

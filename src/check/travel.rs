@@ -42,11 +42,15 @@ impl Travel {
         };
         // Without a relative velocity nothing bounds the change of the arms.
         let fastest = [When::Before, When::After].into_iter().filter_map(speed).reduce(f64::max).unwrap_or(f64::INFINITY);
-        let by_duration = record.duration.map_or(0.0, |duration| product(duration, fastest));
+        // A center of mass that moved says that the contact lasts, and not how long.
+        let is_moved =
+            bodies.iter().any(|body| body.center.zip(body.center_after).is_some_and(|(before, after)| values(before) != values(after)));
+        let without_duration = if is_moved { f64::INFINITY } else { 0.0 };
+        let by_duration = record.duration.map_or(without_duration, |duration| product(duration, fastest));
         let is_open = bodies.iter().any(|body| !body.fixed && body.arm.is_none());
         let unknown = match (record.point_after, is_placed) {
             (Some(_), true) if !is_open => 0.0,
-            (None, true) => by_duration.max(displacement(one, two, record.duration)),
+            (None, true) => record.duration.map_or(0.0, |_| by_duration).max(displacement(one, two, record.duration)),
             _ => by_duration,
         };
         Travel {
@@ -54,7 +58,7 @@ impl Travel {
             unknown,
             is_of_two_points: record.point_after.is_some() && !is_placed,
             yaw_rates: bodies.map(|body| yaw_rate(body, When::Before).max(yaw_rate(body, When::After))),
-            lasts: record.duration.is_some_and(|duration| duration > 0.0),
+            lasts: is_moved || record.duration.is_some_and(|duration| duration > 0.0),
         }
     }
 

@@ -18,7 +18,7 @@ use core::fmt;
 pub use self::objective::{Bounded, Enclosure};
 
 use self::impact_output::ImpactOutput;
-use self::minimum::{Minimum, minimum, refused_part};
+use self::minimum::{MOST_BENT, Minimum, minimum, refused_part};
 use self::objective::Objective;
 use crate::collision::Collision;
 use crate::input::NoSuchInput;
@@ -43,6 +43,15 @@ impl Default for Search {
     /// A gap of 10⁻⁹ and a million cells.
     fn default() -> Self {
         Search { gap: 1e-9, cells: 1_000_000 }
+    }
+}
+
+impl Search {
+    /// Returns the search that computes the function, or a part of its derivatives, about that often over a box of so many uncertain numbers.
+    pub fn of_evaluations(evaluations: usize, numbers: usize) -> Search {
+        // Of a cell: itself, its center, and its slope by each number; near the best value each second derivative, which takes as long as nine values.
+        let bends = if numbers <= MOST_BENT { 3 * numbers + 9 * numbers * (numbers + 1) / 2 } else { 0 };
+        Search { cells: evaluations / (4 + numbers + bends), ..Search::default() }
     }
 }
 

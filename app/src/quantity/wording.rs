@@ -15,13 +15,19 @@ pub fn excerpt(text: &str) -> String {
 /// Returns the candidate that `word` most likely misspells: equal except for case, or at most one edit per three
 /// letters away. Among equally near candidates, prefers the longest common prefix, then the first.
 pub fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    all_nearest(word, candidates).first().copied()
+}
+
+/// Returns every candidate that is as near and as alike as the nearest.
+fn all_nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     // Nobody misspells a word this long, and the comparison takes quadratic time.
     if word.len() > 64 {
-        return None;
+        return Vec::new();
     }
     let allowed = word.chars().count().div_ceil(3).min(3);
     let lower = word.to_lowercase();
-    let mut best: Option<(usize, f64, &str)> = None;
+    let mut best = (usize::MAX, 0.0);
+    let mut named = Vec::new();
     for candidate in candidates {
         let edits = if lower == candidate.to_lowercase() { 0 } else { strsim::damerau_levenshtein(word, candidate) };
         // A word with every letter replaced is not a misspelling.
@@ -29,11 +35,13 @@ pub fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Opt
             continue;
         }
         let alike = strsim::jaro_winkler(word, candidate);
-        if best.is_none_or(|(e, a, _)| edits < e || (edits == e && alike > a)) {
-            best = Some((edits, alike, candidate));
+        if edits < best.0 || (edits == best.0 && alike > best.1) {
+            (best, named) = ((edits, alike), vec![candidate]);
+        } else if (edits, alike) == best {
+            named.push(candidate);
         }
     }
-    best.map(|(_, _, candidate)| candidate)
+    named
 }
 
 /// Asks whether a known name was meant by an unknown one: names of which it is a part, as a quantity without its vehicle is, or else the one that it misspells.
@@ -47,7 +55,7 @@ pub fn did_you_mean(name: &str, known: impl IntoIterator<Item = impl AsRef<str>>
     let holds = |known: &&&str| known.split('.').any(begins);
     let whole: Vec<&str> = known.iter().filter(ends).copied().collect();
     let parts = if whole.is_empty() { known.iter().filter(holds).copied().collect() } else { whole };
-    let asked: Vec<&str> = if name.is_empty() || parts.is_empty() { nearest(name, known.into_iter()).into_iter().collect() } else { parts };
+    let asked = if name.is_empty() || parts.is_empty() { all_nearest(name, known.into_iter()) } else { parts };
     let quoted: Vec<String> = asked.iter().take(MOST).map(|name| format!("`{name}`")).collect();
     let list = match &quoted[..] {
         [] => return None,
@@ -80,6 +88,7 @@ mod tests {
             meant("vehicle").as_deref(),
             Some("did you mean `vehicle.1.speed`, `vehicle.2.speed`, `vehicle.1.delta_v.x` or `vehicle.1.delta_v_magnitude`?")
         );
+        assert_eq!(meant("vehicle.3.speed").as_deref(), Some("did you mean `vehicle.1.speed` or `vehicle.2.speed`?"));
         assert_eq!([meant(""), meant("delt"), meant("loses_of_nothing")], [None, None, None]);
     }
 

@@ -12,8 +12,7 @@ use crate::issue::{Issue, Issues};
 use crate::named::positive_zero;
 use crate::notice::Notice;
 
-/// Evaluations that a search for the bounds of an output may take, one for each number of each cell and some for the cell: a fraction of a second, and ten times
-/// as many if bounds are asked for by name.
+/// Evaluations that a search for the bounds of an output may take: a fraction of a second, and ten times as many if bounds are asked for by name.
 const EVALUATIONS: [usize; 2] = [200_000, 2_000_000];
 
 impl Question<'_> {
@@ -23,12 +22,13 @@ impl Question<'_> {
             return Ok(());
         }
         let evaluations = EVALUATIONS[usize::from(self.options.methods.contains(&Method::Bounds))];
-        let cells = evaluations / (self.parameters.len() + 4);
+        let search = Search::of_evaluations(evaluations, self.parameters.len());
+        let cells = search.cells;
         let total = cells * self.outputs.len();
         let ranges = self.uncertain.ranges(self.options.bounds_sd);
         for (place, (of, to)) in self.outputs.iter().zip(&mut found.of).enumerate() {
             let goes_on = |done: u64| control.goes_on(cells * place + saturated(done), total);
-            let range = self.range(*of, &ranges, cells, &goes_on);
+            let range = self.range(*of, &ranges, &search, &goes_on);
             control.proceed(cells * (place + 1), total)?;
             match range {
                 Ok(range) => to.bounds = Some(self.named_bounds(range)),
@@ -45,18 +45,17 @@ impl Question<'_> {
         &self,
         of: CaseOutput,
         ranges: &[(f64, f64)],
-        cells: usize,
+        search: &Search,
         goes_on: &(dyn Fn(u64) -> bool + Sync),
     ) -> Result<library::Bounds, String> {
-        let search = Search { cells, ..Search::default() };
         let sentence = |reason: NoBounds| reason.to_string();
         let model = self.uncertain.model();
         if let CaseOutput::Impact(output) = of {
             let (impact, ranges) = (model.impact(), of_impact(model, ranges));
-            return library::bounds(impact.collision(), impact.mapping(), &ranges, output, &search, goes_on).map_err(sentence);
+            return library::bounds(impact.collision(), impact.mapping(), &ranges, output, search, goes_on).map_err(sentence);
         }
         let mut function = BesideImpact::of(model, of, ranges).map_err(|reason| reason.to_string())?;
-        library::bounds_of(&mut function, ranges, &search, goes_on).map_err(sentence)
+        library::bounds_of(&mut function, ranges, search, goes_on).map_err(sentence)
     }
 
     fn named_bounds(&self, range: library::Bounds) -> Bounds {

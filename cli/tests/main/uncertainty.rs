@@ -583,7 +583,7 @@ fn a_probability_of_a_motion_says_that_it_is_after_the_impact() {
             "--samples",
             "1000",
             "--of",
-            "T_L",
+            "dV1",
             "--format",
             "json",
             "--probability",

@@ -101,9 +101,37 @@ fn a_place_that_is_left_out_of_a_long_contact_is_no_failure() {
     let mut without_center = record(Some(Xy { x: -2.0, y: 0.5 }));
     without_center.one.center = None;
     assert!(rules(&without_center).is_empty());
-    // Of an instant the place after is the one before.
-    let instant = Record { duration: None, ..record(None) };
+    // A center of mass that moved says without a duration that the contact lasts; of an instant the place after is the one before.
+    let mut instant = Record { duration: None, ..record(None) };
+    assert!(rules(&instant).is_empty() && warnings(&instant).contains(&"work-identity"), "{:?}", warnings(&instant));
+    instant.one.center_after = instant.one.center;
     assert_eq!(rules(&instant), ["work-identity"]);
+}
+
+/// By hand: P = −6000 N s acts on body 2 at (0, 0), and I ΔΩ = −600 N m s; with center of mass 2 at (2.3, 0) and 1 at (−1.3, 0.2) after the impact
+/// Σ (c × m V + I Ω) is 600 − 600 more than before.
+#[test]
+fn a_center_of_mass_that_moved_says_that_the_contact_lasts() {
+    let body = |x, after, yaw_rate, center_after: Option<(f64, f64)>, before| Subject {
+        mass: Some(1000.0),
+        yaw_inertia: Some(2000.0),
+        center: Some(Xy { x, y: 0.0 }),
+        center_after: center_after.map(|(x, y)| Xy { x, y }),
+        before: State { velocity: Some(before), yaw_rate: Some(0.0) },
+        after: State { velocity: Some(after), yaw_rate: Some(yaw_rate) },
+        ..Subject::default()
+    };
+    let one = |places| body(-2.0, Xy { x: 4.0, y: 2.0 }, 0.0, places, Xy { x: 10.0, y: 2.0 });
+    let two = |places| body(2.0, Xy { x: 6.0, y: 0.0 }, -0.3, places, Xy { x: 0.0, y: 0.0 });
+    let record = |of_one, of_two| Record { one: one(of_one), two: two(of_two), point: Some(Xy { x: 0.0, y: 0.0 }), ..Record::default() };
+    let (after_one, after_two) = (Some((-1.3, 0.2)), Some((2.3, 0.0)));
+    for (of_one, of_two) in [(after_one, after_two), (after_one, None), (None, after_two)] {
+        let lasting = record(of_one, of_two);
+        assert!(rules(&lasting).is_empty() && warnings(&lasting).contains(&"line-of-action"), "{:?}", rules(&lasting));
+    }
+    for still in [record(None, None), record(Some((-2.0, 0.0)), None)] {
+        assert_eq!(rules(&still), ["angular-momentum", "line-of-action"]);
+    }
 }
 
 #[test]

@@ -4,8 +4,10 @@ use super::minimum::refused_part;
 use super::objective::{Bounded, Enclosure, Objective};
 use super::{CELLS_OF_REFUSAL, RefusedPart};
 use crate::collision::Collision;
+use crate::frame::Nt;
 use crate::impact::{ForceDirection, Impact, Response};
 use crate::input::Side;
+use crate::law::{FrictionCone, ImpulseRatio};
 use crate::measure::Measure;
 use crate::output::Output;
 use crate::scalar::Real;
@@ -33,8 +35,9 @@ impl<'a, M: Mapping> ImpactOutput<'a, M> {
                 let delta_v = response(impact, side).delta_v;
                 (delta_v.x.magnitude().squared() + delta_v.y.magnitude().squared()).square_root()
             }
+            Output::ImpulseRatio => chosen_ratio(collision, impact).unwrap_or_else(|| self.of.of(collision, impact)),
             Output::PrincipalDirectionOfForce(side) => {
-                let force = response(impact, side).force_direction();
+                let force = force_at_ratio(collision, impact, side).unwrap_or_else(|| response(impact, side).force_direction());
                 self.ahead.map_or_else(|| force.direction(), |ahead| force.direction_about(&ahead))
             }
             of => of.of(collision, impact),
@@ -111,6 +114,31 @@ pub(super) fn is_cut(measure: Measure, value: Interval) -> bool {
     measure == Measure::Angle && value.width() > 6.0
 }
 
+/// Returns the impulse ratio where it is not that of the critical impulse: an interval of P_t/P_n would not see that it depends on no more than the friction.
+fn chosen_ratio<T: Real>(collision: &Collision<T>, impact: &Impact<T>) -> Option<T> {
+    match &collision.impulse_ratio {
+        ImpulseRatio::Given(ratio) => Some(ratio.clone()),
+        ImpulseRatio::LimitedByFriction(friction) => {
+            let contact = collision.contact();
+            let change = collision.sticking_change(&contact, collision.moment_impulse(&contact).as_ref());
+            let cone = FrictionCone::around(&contact.compliance.impulse_for(change.clone()), &change, friction);
+            Some(T::select(cone.slides, cone.side * friction.clone(), impact.impulse_ratio()))
+        }
+        ImpulseRatio::Critical | ImpulseRatio::OfCritical(_) => None,
+    }
+}
+
+/// Returns the direction of force of an impulse of that ratio, toward the side to which the normal impulse pushes.
+fn force_at_ratio<T: Real>(collision: &Collision<T>, impact: &Impact<T>, side: Side) -> Option<ForceDirection<T>> {
+    let (party, pushes) = match side {
+        Side::One => (&collision.one, 1),
+        Side::Two => (&collision.two, -1),
+    };
+    let toward = T::select(impact.impulse.n.less(&T::int(0)), T::int(-pushes), T::int(pushes));
+    let push = Nt { t: toward.clone() * chosen_ratio(collision, impact)?, n: toward };
+    Some(ForceDirection::of_push(party.vehicle()?.heading.to_vehicle(collision.crush_plane.to_ground(push))))
+}
+
 fn response<T>(impact: &Impact<T>, side: Side) -> &Response<T> {
     match side {
         Side::One => &impact.one,
@@ -148,6 +176,34 @@ mod tests {
                 assert_eq!(output.over(&cell), apart, "{of:?} {plane:?}");
                 assert_eq!(apart.is_continuous, is_continuous, "{of:?} {plane:?}");
             }
+        }
+    }
+
+    /// At a given ratio, and sliding, the direction of the force is that of the ratio: by hand, of a push at arctan μ from a normal along x, on vehicles that face
+    /// along x and y.
+    #[test]
+    fn a_direction_of_a_given_ratio_depends_on_nothing_else() {
+        let car = |speed: f64| Vehicle::new(1450.0, 2500.0).with_impact_center(1.9, 0.3).with_speed(speed);
+        let other = Vehicle::new(1250.0, 1900.0).with_impact_center(0.4, 0.75).with_heading(Heading::from_degrees(90.0)).with_speed(8.0);
+        let base = Collision::new(car(14.0), other);
+        let inputs = Direct(alloc::vec![Input::VelocityX(Side::One), Input::Restitution]);
+        let ranges = [(12.0, 16.0), (0.0, 0.2)];
+        let search = Search { cells: 50, ..Search::default() };
+        for ratio in [ImpulseRatio::Given(-0.05), ImpulseRatio::LimitedByFriction(0.05)] {
+            let base = base.with_impulse_ratio(ratio);
+            let of = |output| bounds(&base, &inputs, &ranges, output, &search, &|_| true).expect("it collides");
+            let mu = base.evaluate().impulse_ratio();
+            assert!((mu.abs() - 0.05).abs() < 1e-15, "{ratio:?}: {mu}");
+            let turned = |range: crate::uncertainty::Bounds, angle: f64| {
+                assert!(range.is_tight && range.high - range.low < 1e-12, "{ratio:?}: {range:?}");
+                assert!((range.low - angle).abs() < 1e-12, "{ratio:?}: {} is not {angle}", range.low);
+            };
+            turned(of(Output::ImpulseRatio), mu);
+            // Clockwise from ahead; the push on body 2 points the other way.
+            let on_one = -mu.atan();
+            turned(of(Output::PrincipalDirectionOfForce(Side::One)), on_one);
+            let on_two = 90_f64.to_radians() - mu.atan() - core::f64::consts::PI;
+            turned(of(Output::PrincipalDirectionOfForce(Side::Two)), on_two);
         }
     }
 

@@ -20,7 +20,7 @@ const ROUNDING: f64 = 1e-9;
 const NEAR: f64 = 1e-3;
 
 /// Most free numbers of a cell whose second derivatives are enclosed.
-const MOST_BENT: usize = 3;
+pub(super) const MOST_BENT: usize = 3;
 
 /// Cells between two questions whether the search goes on.
 const STRIDE: usize = 256;
