@@ -159,7 +159,7 @@ fn by_separations(
     let statements = Statement::read_all(&options.probabilities, &question)?;
     solve_error::check(&question)?;
     let solve = |asked: &ReconstructionProblem| asked.solve_while(&search, &|done, total| control.goes_on(done, total));
-    let (question, answer, there) = about_solution::solved(case, separations, question, &solve)?;
+    let (question, answer, there) = about_solution::solved(case, separations, question, &solve, control)?;
     let (solved, impact) = solved(&question.case, answer.best());
     let mut notices = question.notices.clone();
     notices.0.extend(statements.iter().filter_map(|statement| statement.notice.clone()));

@@ -95,6 +95,9 @@ impl Default for Options {
     }
 }
 
+/// Largest number of uncertain inputs: every output follows all of them by each.
+const MOST_INPUTS: usize = 1000;
+
 /// Computes the uncertainty of the outputs of a case.
 ///
 /// # Errors
@@ -185,6 +188,15 @@ impl<'a> Question<'a> {
         if case.uncertain.inputs.is_empty() {
             let help = "give one as \"40 mph ± 2 mph\", or as a table such as { min = 0, max = 0.3 }".to_owned();
             issues.push(Issue::of_call("CASE", "no input of the case is uncertain".to_owned(), Some(help)));
+        }
+        let count = case.uncertain.inputs.len();
+        if count > MOST_INPUTS {
+            let help = "give those that matter least without an uncertainty".to_owned();
+            issues.push(Issue::of_call(
+                "CASE",
+                format!("{count} inputs of the case are uncertain; at most {MOST_INPUTS} can be"),
+                Some(help),
+            ));
         }
         if !issues.is_empty() {
             return Err(Issues::of_call(issues));

@@ -57,6 +57,9 @@ fn remedy(place: Place<'_>, wanted: Option<Dimension>) -> Option<String> {
             None => format!("write it without brackets: `{}`", unit.trim_matches(BRACKETS)),
         });
     }
+    if unit.contains(['[', '(', '{']) {
+        return Some("write it without brackets: put the products first and a `/` before each divisor, as in `lbf s/ft/in`".to_owned());
+    }
     if let Some(meant) = in_ordinary_signs(unit, wanted) {
         return Some(did_you_mean(meant));
     }
@@ -248,6 +251,10 @@ mod tests {
             let said = meant(typed, wanted);
             assert!(!said.contains("did you mean"), "{typed}: {said}");
         }
+        assert_eq!(
+            meant("m^2/(m s)", "m/s"),
+            "unknown unit `(m` (write it without brackets: put the products first and a `/` before each divisor, as in `lbf s/ft/in`)"
+        );
         assert_eq!(meant("(1) m/s", "m/s"), "unknown unit `(1)` (write a standard deviation as in `12 ± 1 m/s`)");
         assert_eq!(meant("kgf m s^2", "kg m^2"), "unknown unit `kgf` (a kilogram-force is 9.80665 N: write `N`)");
         assert_eq!(meant("nm", "m"), "unknown unit `nm` (write the length in `m`, `mm`, `ft` or `in`)");

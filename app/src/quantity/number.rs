@@ -117,7 +117,9 @@ fn remedy(text: &str) -> Option<String> {
         return Some("write an ordinary minus sign, `-`".to_owned());
     }
     let word = text.trim().to_ascii_lowercase();
-    ["n/a", "na", "none", "null", "unknown", "?", "-"].contains(&word.as_str()).then(|| "leave out what is not known".to_owned())
+    ["n/a", "na", "none", "null", "unknown", "?", "-"]
+        .contains(&word.as_str())
+        .then(|| "leave it out if it may be left out, and else give an estimate".to_owned())
 }
 
 #[cfg(test)]
@@ -158,7 +160,7 @@ mod tests {
         assert_eq!(message("1 200 kg"), "a space has no place in the number of `1 200 kg` (write 1200)");
         assert_eq!(message("1\u{a0}200\u{a0}300 kg"), "a space has no place in the number of `1\u{a0}200\u{a0}300 kg` (write 1200300)");
         assert_eq!(message("1’500 lb"), "`’` has no place in the number of `1’500 lb` (write 1500)");
-        assert_eq!(message("N/A"), "`N/A` does not begin with a number (leave out what is not known)");
+        assert_eq!(message("N/A"), "`N/A` does not begin with a number (leave it out if it may be left out, and else give an estimate)");
         assert_eq!(message("1'500 lb"), "`'` has no place in the number of `1'500 lb` (write 1500)");
         assert_eq!(split("3 1/s"), Ok((3.0, "1/s")));
         assert_eq!(split("5'11\""), Ok((5.0, "'11\"")));

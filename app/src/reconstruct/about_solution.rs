@@ -1,8 +1,8 @@
 //! The search for the solution about which separations from rest positions are followed.
 
-use planar_impact::Side;
 use planar_impact::post_impact::Separation;
 use planar_impact::reconstruct::{Answer, Dependence, Estimate, Measurand, ReconstructionProblem, Solution, SolveError, Unknown, Verdict};
+use planar_impact::{Motion, Side};
 
 use super::by_friction::{are_alike, growing_errors, motions_by_friction, with_friction_at};
 use super::dependences::is_followed;
@@ -10,9 +10,10 @@ use super::doubts::reconciled;
 use super::followed::Followed;
 use super::from_rest::{SeparationFromRest, Separations, key, outputs};
 use super::question::{Question, name_in, values_of};
-use super::rolled::Rolled;
+use super::rolled::{self, Rolled};
 use super::solve_error;
 use crate::case::{Case, Inputs, vehicle_number};
+use crate::control::Control;
 use crate::issue::{Issue, Issues};
 use crate::units::Measure;
 
@@ -28,19 +29,52 @@ const NEAR: f64 = 0.01;
 /// Solves the question of a case whose vehicles separated in a certain way. What separations follow is taken about the solution: that about the values of the case leads
 /// there, within the reach of first order, and from there again. Returns the question about the solution, its answer, and the separations there.
 ///
+/// Where chance hardly explains the best fit, motions elsewhere that lead near the rest position on wheels that roll are tried too, and those that fit best count.
+///
 /// # Errors
 ///
 /// Those of the question and of the search, and a separation that cannot be followed to a solution.
 pub fn solved(
     case: &Case,
     separations: &Separations,
+    question: Question,
+    solve: &Solve<'_>,
+    control: &dyn Control,
+) -> Result<Solved, Issues> {
+    /// Probability of chi-square below which motions elsewhere are looked for: less often than in one case of twenty without need.
+    const IMPROBABLE: f64 = 0.05;
+    let mut best = solved_from(case, separations, [None, None], question, solve)?;
+    if best.1.best().probability >= IMPROBABLE {
+        return Ok(best);
+    }
+    for from in rolled::elsewhere(case, separations, control)? {
+        let about = rolled::about(case, separations, &from);
+        let other = Question::about(case, &case.inputs, &about).and_then(|question| solved_from(case, separations, from, question, solve));
+        // A way that leads to no answer is none.
+        best = match other {
+            Ok(other) if other.1.best().chi_square < best.1.best().chi_square => other,
+            _ => best,
+        };
+        control.proceed(0, 1)?;
+    }
+    Ok(best)
+}
+
+/// A search for the unknowns of a problem.
+type Solve<'a> = dyn Fn(&ReconstructionProblem) -> Result<Answer, SolveError> + 'a;
+/// The question about a solution, its answer, and the separations there.
+type Solved = (Question, Answer, Separations);
+
+/// The same, where separations on wheels that roll are at first taken about given motions.
+fn solved_from(
+    case: &Case,
+    separations: &Separations,
+    mut from: [Option<Motion>; 2],
     mut question: Question,
-    solve: &dyn Fn(&ReconstructionProblem) -> Result<Answer, SolveError>,
-) -> Result<(Question, Answer, Separations), Issues> {
+    solve: &Solve<'_>,
+) -> Result<Solved, Issues> {
     let mut about = separations.clone();
-    let mut weighed = separations.clone();
-    // The motions that separations on wheels that roll are now taken about.
-    let mut from = [None, None];
+    let mut weighed = rolled::about(case, separations, &from);
     for tries in 1..=MOST {
         let asked = within_reach(&question.asked);
         let answer = solve(&asked).map_err(|unsolved| solve_error::issues(&question, &unsolved))?;
@@ -80,10 +114,13 @@ pub fn solved(
             // Those that lead to the rest positions are shown.
             let mut shown = with_fits_of(&weighed, &about);
             for side in Side::ALL {
-                let (Some(rolled), Some(at_rest)) = (&rolled[side as usize], &about[side as usize]) else { continue };
-                question.about_fit[side as usize] = true;
-                question.notices.0.extend(rolled.notice(side, at_rest));
-                shown[side as usize] = Some(at_rest.clone());
+                let place = side as usize;
+                let Some(at_rest) = about[place].as_ref().filter(|_| from[place].is_some() || rolled[place].is_some()) else { continue };
+                shown[place] = Some(at_rest.clone());
+                if let Some(rolled) = &rolled[place] {
+                    question.about_fit[place] = true;
+                    question.notices.0.extend(rolled.notice(side, at_rest));
+                }
             }
             question.separations = SeparationFromRest::of(case, &shown);
             return Ok((question, answer, about));

@@ -9,6 +9,8 @@ use planar_impact::{Motion, Side, Xy};
 use super::followed::Followed;
 use super::from_rest::{Separations, are_near, key};
 use crate::case::{Case, Inputs, vehicle_number};
+use crate::control::Control;
+use crate::issue::Issues;
 use crate::message::Message;
 use crate::notice::Notice;
 use crate::units::Measure;
@@ -17,6 +19,58 @@ use crate::units::Measure;
 const MOST_MISSED: f64 = 16.0;
 /// Shares of the way to a fitted motion that are gone, the first that does not lead too far.
 const SHARES: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
+
+/// Largest number of pairs of motions elsewhere that are tried.
+const MOST_ELSEWHERE: usize = 8;
+
+/// Returns the separations about motions of vehicles on wheels that roll, where there are such motions and something is said about them.
+pub fn about(case: &Case, separations: &Separations, motions: &[Option<Motion>; 2]) -> Separations {
+    let mut all = separations.clone();
+    for followed in Followed::all(case, &case.inputs, separations) {
+        let place = followed.side as usize;
+        let Some(there) = motions[place].and_then(|motion| followed.about(&motion)) else { continue };
+        if let Ok(widened) = (Followed { separation: &there, ..followed }).widened() {
+            all[place] = Some(Separation { fit: followed.separation.fit.clone(), ..widened });
+        }
+    }
+    all
+}
+
+/// Returns motions of vehicles on wheels that roll, elsewhere than those of the separations, that lead within two standard deviations of the rest headings: where
+/// separations turn round, the true one may be none of those that lead to the rest position itself.
+///
+/// # Errors
+///
+/// That it was stopped.
+pub fn elsewhere(case: &Case, separations: &Separations, control: &dyn Control) -> Result<Vec<[Option<Motion>; 2]>, Issues> {
+    /// Standard deviations.
+    const ASIDE: f64 = 2.0;
+    const FAR: f64 = 3.0;
+    let mut motions = [vec![None], vec![None]];
+    for followed in Followed::all(case, &case.inputs, separations) {
+        let Some(rest) = followed.with(&[]).filter(|rest| !rest.slide.vehicle.is_locked()) else { continue };
+        let Some(evidence) = rest.evidence.as_ref().filter(|evidence| evidence.points.is_empty()) else { continue };
+        let known = &mut motions[followed.side as usize];
+        for aside in [-ASIDE, ASIDE] {
+            let mut moved = evidence.clone();
+            moved.rest.heading += aside * evidence.heading_deviation;
+            let found = rest.slide.separation_while(&moved, rest.method, &|done, total| control.goes_on(done, total));
+            control.proceed(0, 1)?;
+            let Ok(found) = found else { continue };
+            let others = found.fit.iter().flat_map(|fit| &fit.others).map(|other| other.motion);
+            let sds = followed.separation.covariance.deviations();
+            for motion in std::iter::once(found.motion).chain(others) {
+                let is_near = |other: &Motion| are_near([motion, *other], sds, FAR);
+                if !is_near(&followed.separation.motion) && !known.iter().flatten().any(is_near) {
+                    known.push(Some(motion));
+                }
+            }
+        }
+    }
+    let [one, two] = motions;
+    let pairs = one.iter().flat_map(|one| two.iter().map(move |two| [*one, *two]));
+    Ok(pairs.filter(|pair| pair.iter().any(Option::is_some)).take(MOST_ELSEWHERE).collect())
+}
 
 /// What a rest position says of a separation about another motion.
 #[derive(Clone)]

@@ -50,7 +50,15 @@ impl Range {
         let step = quantity::parse_word(step, kind.difference()).map_err(wrong);
         let (from, to, step) = match (ends, step) {
             ([Ok(from), Ok(to)], Ok(step)) => (from, to, step),
-            ([from, to], step) => return Err([from.err(), to.err(), step.err()].into_iter().flatten().collect()),
+            ([from, to], step) => {
+                let mut wrong: Vec<Issue> = [from.err(), to.err(), step.err()].into_iter().flatten().collect();
+                // Of numbers without a unit, each would be given that of its own remedy, and be refused beside the others.
+                if let (Some(help), Some(first)) = (with_likely_unit(name, &parts, kind), wrong.first_mut()) {
+                    first.help = Some(help.into());
+                    wrong.truncate(1);
+                }
+                return Err(wrong);
+            }
         };
         if let Some((message, help)) = some_without_unit(name, [&from, &to, &step].into_iter().zip(&parts)) {
             return Err(issue(&message, help));
@@ -79,7 +87,8 @@ impl Range {
         let whole = (steps - steps.round()).abs() <= 1e-9 * steps.max(1.0);
         let count = if whole { steps.round() } else { steps.floor() };
         if count.is_nan() || count >= MOST_POINTS as f64 {
-            return Err(QuantityError { message: format!("{count:.0} steps exceed the limit of a sweep"), help: too_many() });
+            let steps = if count < 1e15 { format!("{count:.0}") } else { format!("{count:.1e}") };
+            return Err(QuantityError { message: format!("{steps} steps exceed the limit of a sweep"), help: too_many() });
         }
         let scale = decimal_scale([first, step]);
         let value = |i: usize| match (i as f64, scale) {
@@ -137,6 +146,15 @@ fn moves_across(parameter: Parameter, inputs: &Inputs) -> Option<(String, String
 
 fn too_many() -> Option<String> {
     Some(format!("the most is {MOST_POINTS} points; take a larger step"))
+}
+
+/// Returns the remedy of a range without units whose numbers were probably meant in another unit than that of SI.
+fn with_likely_unit(name: &str, parts: &[&str], kind: quantity::Kind) -> Option<String> {
+    let unit = kind.likely.first()?;
+    let whole: Vec<String> = parts.iter().map(|part| format!("{} {unit}", part.trim())).collect();
+    let is_bare = parts.iter().all(|part| quantity::unit_of(part).is_some_and(|(_, unit)| unit.is_empty()));
+    let is_read = whole.iter().all(|part| quantity::parse_word(part, kind.difference()).is_ok());
+    (is_bare && is_read).then(|| format!("write the unit of each, as in {name}={}", whole.join(":")))
 }
 
 /// Returns the message and the help for a range in which only some of the three numbers have a unit; a zero needs none.
@@ -259,7 +277,9 @@ mod tests {
             ("Gamma=0 deg:1 deg", "expected FROM:TO:STEP; found `0 deg:1 deg`"),
             ("Gamma=0 deg:1 deg:1 deg:1 deg", "expected FROM:TO:STEP"),
             ("Gamma=0 deg:1 ft:1 kg", "`1 ft` is a length; an angle is expected, such as \"-10 deg\" \n--vary Gamma: `1 kg` is a mass"),
-            ("Gamma=-10:10:1", "did you mean \"-10 deg\"?"),
+            ("Gamma=-10:10:1", "1.59 turns write the unit of each, as in Gamma=-10 deg:10 deg:1 deg"),
+            ("theta1=0:6.3:1", "write the unit of each, as in theta1=0 deg:6.3 deg:1 deg"),
+            ("e=0:1:1e-300", "1.0e300 steps exceed"),
             ("Gamma=0 deg:1 deg:0 deg", "the step is zero"),
             ("Gamma=0 deg:0 deg:0 deg", "the step is zero"),
             ("Gamma=0 deg:1 deg:-1 deg", "the step leads away from the last value write the step as 1 deg"),

@@ -233,7 +233,7 @@ fn rows_that_are_no_records() {
         ("b,\"1000,0", "quotation mark has no partner"),
         ("b,1000,0\rd,-1,0", "a carriage return stands within the line"),
         ("b,1000,zero", "`zero` is not a number"),
-        ("b,N/A,0", "`N/A` is not a number (leave out what is not known)"),
+        ("b,N/A,0", "`N/A` is not a number (leave it out if it may be left out, and else give an estimate)"),
         ("b,\u{2212}5,0", "write an ordinary minus sign, `-`"),
     ] {
         malformed(&format!("id,b1.mass,b1.before.yaw_rate\n,kg,deg/s\na,1000,0\n{row}\nc, 1000 , 0\n"), 4, &[words]);

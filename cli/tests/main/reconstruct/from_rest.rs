@@ -246,6 +246,52 @@ fn points_are_judged_with_what_is_uncertain() {
     assert_eq!(of("\"0.2 m ± 0.02 m\""), ("contradicted".to_owned(), false, true));
 }
 
+/// A crash whose rest headings, 2.14 and less of their standard deviations off, are those of slides that turn the other way: only motions elsewhere fit, which lead there within the
+/// uncertainty. The motions before and the slides are those of a simulation of its own, of four wheels under static loads.
+#[test]
+fn a_motion_that_leads_near_the_rest_position_is_found_where_none_that_leads_there_fits() {
+    let case = "schema = 1\n\
+        [[vehicle]]\n\
+        mass = \"1073.8 kg\"\n\
+        yaw_inertia = \"1988.4 kg m^2\"\n\
+        heading = \"-0.12934 rad\"\n\
+        impact_center = [\"1.9 m\", \"0.3553 m\"]\n\
+        [[vehicle]]\n\
+        mass = \"2148.4 kg\"\n\
+        yaw_inertia = \"3947.6 kg m^2\"\n\
+        heading = \"1.48298 rad\"\n\
+        impact_center = [\"0.5914 m\", \"0.8 m\"]\n\
+        [contact]\n\
+        crush_plane = \"0.01758 rad\"\n\
+        [rest]\n\
+        friction = \"0.619 ± 0.05\"\n\
+        [rest.vehicle.1]\n\
+        position = [\"7.377 m ± 0.3 m\", \"2.732 m ± 0.3 m\"]\n\
+        heading = \"4.463 rad ± 0.07 rad\"\n\
+        front_axle = \"1.2487 m\"\n\
+        rear_axle = \"1.5842 m\"\n\
+        track = \"1.5 m\"\n\
+        wheels = { front_left = \"locked\", front_right = \"locked\", rear_left = \"rolling\", rear_right = \"rolling\" }\n\
+        [rest.vehicle.2]\n\
+        position = [\"14.383 m ± 0.3 m\", \"23.124 m ± 0.3 m\"]\n\
+        heading = \"1.132 rad ± 0.07 rad\"\n\
+        front_axle = \"1.2515 m\"\n\
+        rear_axle = \"1.3541 m\"\n\
+        track = \"1.5 m\"\n\
+        wheels = { front_left = \"locked\", front_right = \"locked\", rear_left = \"rolling\", rear_right = \"rolling\" }\n\
+        [unknown]\n\
+        vehicle.1.speed = { start = \"12 m/s\", min = \"0 m/s\", max = \"60 m/s\" }\n\
+        vehicle.2.speed = { start = \"12 m/s\", min = \"0 m/s\", max = \"60 m/s\" }\n\
+        contact.restitution = { start = 0.1, min = 0, max = 0.3 }\n";
+    let answer = answer(case);
+    assert!(answer["verdict"] == "agrees" && answer["messages"].to_string().contains("separation-about-fit"), "{}", answer["messages"]);
+    for (unknown, truth) in [("vehicle.1.speed", 16.94), ("vehicle.2.speed", 13.95), ("contact.restitution", 0.0465)] {
+        let interval = &answer["unknown"][unknown]["interval"];
+        let [low, high] = ["low", "high"].map(|end| interval[end].as_f64().expect("a number"));
+        assert!(low <= truth && truth <= high && high - low < 0.25 * truth.max(0.2), "{unknown}: {low} to {high}");
+    }
+}
+
 /// Three crashes whose separations turn round within the uncertainty of the rest positions. The speeds are those of a solver of its own, and the rest positions those of the slides, with
 /// errors of their standard deviations: taken to first order about the rest positions, they contradict each other by a chi-square above 34, the last by 233. There the first fit lies too far
 /// away to go there at once.
