@@ -57,7 +57,7 @@ fn remedy(place: Place<'_>, wanted: Option<Dimension>) -> Option<String> {
             None => format!("write it without brackets: `{}`", unit.trim_matches(BRACKETS)),
         });
     }
-    if unit.contains(['[', '(', '{']) {
+    if unit.contains('(') {
         return Some("write it without brackets: put the products first and a `/` before each divisor, as in `lbf s/ft/in`".to_owned());
     }
     if let Some(meant) = in_ordinary_signs(unit, wanted) {

@@ -479,7 +479,13 @@ fn wrong_calls_are_refused() {
     folder.write("backward.toml", wall("\"1200 kg\"", "\"-10 m/s ± 1 m/s\"", "0.1").as_bytes());
     folder.write("beyond.toml", wall("\"1200 kg\"", "\"10 m/s\"", "0.1\nimpulse_ratio = \"0.5 ± 0.01\"").as_bytes());
     folder.write("outside.toml", wall("\"1200 kg\"", "\"10 m/s\"", "\"-0.5 ± 0.05\"").as_bytes());
-    let calls: [(&[&str], i32, &[&str]); 32] = [
+    let depths = vec!["\"0.3 m ± 0.01 m\""; 1001].join(", ");
+    let crushed =
+        format!("impact_center = [2, 0.5]\n[vehicle.crush]\nwidth = 1.5\ndepths = [{depths}]\nstiffness = {{ A = 5000, B = 200000 }}\n");
+    let many = wall("\"1200 kg\"", "\"10 m/s\"", "0.1").replacen("impact_center = [\"2 m\", \"0.5 m\"]\n", &crushed, 1);
+    folder.write("many.toml", many.as_bytes());
+    let calls: [(&[&str], i32, &[&str]); 33] = [
+        (&["many.toml"], 2, &["1001 inputs of the case are uncertain; at most 1000 can be", "without an uncertainty"]),
         (&["certain.toml"], 2, &["no input of the case is uncertain", "± 2 mph"]),
         (&["uncertain.toml", "--of", "dV3"], 2, &["dV3"]),
         (&["uncertain.toml", "--of", "e1"], 2, &["--of"]),
