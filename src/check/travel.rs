@@ -40,8 +40,8 @@ impl Travel {
             let turning = bodies.map(|body| yaw_rate(body, when) * body.arm.or(body.arm_after).map_or(0.0, |arm| values(arm).length()));
             Some(past + turning[0] + turning[1])
         };
-        // Without a relative velocity nothing bounds the change of the arms.
-        let fastest = [When::Before, When::After].into_iter().filter_map(speed).reduce(f64::max).unwrap_or(f64::INFINITY);
+        // Without one of the relative velocities nothing bounds the change of the arms.
+        let fastest = speed(When::Before).zip(speed(When::After)).map_or(f64::INFINITY, |(before, after)| before.max(after));
         // A center of mass that moved says that the contact lasts, and not how long.
         let is_moved =
             bodies.iter().any(|body| body.center.zip(body.center_after).is_some_and(|(before, after)| values(before) != values(after)));

@@ -185,17 +185,33 @@ pub fn bounds(
         return Err(NoBounds::NoSuchInput(NoSuchInput(input)));
     }
     let range = bounds_of(&mut ImpactOutput::new(base, mapping, of), ranges, search, goes_on);
-    // No accepted collision has less, but for rounding.
-    let is_never_below_zero = matches!(of, Output::EnergyBefore | Output::EnergyAfter | Output::Loss | Output::DeltaVMagnitude(_));
-    let at_least_zero = |range: Bounds| Bounds { low: range.low.max(0.0).min(range.low_attained), ..range };
-    let range = if is_never_below_zero { range.map(at_least_zero) } else { range };
-    range.map_err(|reason| match reason {
+    let lawful = |range: Bounds| {
+        let (least, most) = limits(base, mapping, ranges, of);
+        Bounds { low: range.low.max(least).min(range.low_attained), high: range.high.min(most).max(range.high_attained), ..range }
+    };
+    range.map(lawful).map_err(|reason| match reason {
         NoBounds::Refused { .. } => {
             let middle: Vec<f64> = ranges.iter().map(|(low, high)| 0.5 * low + 0.5 * high).collect();
             NoBounds::Refused { at_the_middle: mapping.apply::<f64>(base, &middle).solve().err().map(Box::new) }
         }
         other => other,
     })
+}
+
+/// Returns what an output of no accepted collision of a box is beyond, but for rounding: no energy and no magnitude is below zero, no more is lost or left than there was, and
+/// the normal impulse only takes energy.
+fn limits(base: &Collision, mapping: &impl Mapping, ranges: &[(f64, f64)], of: Output) -> (f64, f64) {
+    let available = || {
+        let whole: Option<Vec<Interval>> = ranges.iter().map(|&(low, high)| Interval::new(low, high)).collect();
+        let collision = whole.map(|whole| mapping.apply(base, &whole));
+        collision.map_or(f64::INFINITY, |collision| Output::EnergyBefore.of(&collision, &collision.evaluate()).upper())
+    };
+    match of {
+        Output::EnergyBefore | Output::DeltaVMagnitude(_) => (0.0, f64::INFINITY),
+        Output::EnergyAfter | Output::Loss => (0.0, available()),
+        Output::NormalWork => (-f64::INFINITY, 0.0),
+        _ => (-f64::INFINITY, f64::INFINITY),
+    }
 }
 
 /// Computes the guaranteed range of any [`Bounded`] function of uncertain numbers, each within its range: see [`bounds`].

@@ -43,13 +43,14 @@ pub fn solved(
 ) -> Result<Solved, Issues> {
     /// Probability of chi-square below which motions elsewhere are looked for: less often than in one case of twenty without need.
     const IMPROBABLE: f64 = 0.05;
-    let mut best = solved_from(case, separations, [None, None], question, solve)?;
+    let mut best = solved_from(case, separations, separations.clone(), [None, None], question, solve)?;
     if best.1.best().probability >= IMPROBABLE {
         return Ok(best);
     }
     for from in rolled::elsewhere(case, separations, control)? {
-        let about = rolled::about(case, separations, &from);
-        let other = Question::about(case, &case.inputs, &about).and_then(|question| solved_from(case, separations, from, question, solve));
+        let weighed = rolled::about(case, separations, &from);
+        let question = Question::about(case, &case.inputs, &weighed);
+        let other = question.and_then(|question| solved_from(case, separations, weighed, from, question, solve));
         // A way that leads to no answer is none.
         best = match other {
             Ok(other) if other.1.best().chi_square < best.1.best().chi_square => other,
@@ -65,16 +66,16 @@ type Solve<'a> = dyn Fn(&ReconstructionProblem) -> Result<Answer, SolveError> + 
 /// The question about a solution, its answer, and the separations there.
 type Solved = (Question, Answer, Separations);
 
-/// The same, where separations on wheels that roll are at first taken about given motions.
+/// The same from one beginning: the motions that separations on wheels that roll are at first taken about, and what these are about them.
 fn solved_from(
     case: &Case,
     separations: &Separations,
+    mut weighed: Separations,
     mut from: [Option<Motion>; 2],
     mut question: Question,
     solve: &Solve<'_>,
 ) -> Result<Solved, Issues> {
     let mut about = separations.clone();
-    let mut weighed = rolled::about(case, separations, &from);
     for tries in 1..=MOST {
         let asked = within_reach(&question.asked);
         let answer = solve(&asked).map_err(|unsolved| solve_error::issues(&question, &unsolved))?;

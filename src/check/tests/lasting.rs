@@ -134,6 +134,30 @@ fn a_center_of_mass_that_moved_says_that_the_contact_lasts() {
     }
 }
 
+/// What is slow after the impact says nothing of how far it moved: at 4 m/s for 0.01 s and 1 rad/s, it is 0.04 m/s at the contact, where 0.3 m/s are missing.
+#[test]
+fn a_velocity_that_is_left_out_bounds_no_motion_during_a_contact() {
+    let record = |before| Record {
+        one: Subject {
+            center: Some(Xy { x: -2.0, y: 0.0 }),
+            before: State { velocity: before, yaw_rate: Some(0.0) },
+            after: State { velocity: Some(Xy { x: 0.0, y: 0.1 }), yaw_rate: Some(1.0) },
+            ..Subject::default()
+        },
+        two: Subject::FIXED,
+        point: Some(Xy { x: 0.0, y: 0.1 }),
+        normal_angle: Some(0.0),
+        duration: Some(0.01),
+        model: Model { restitution: Some(0.1), ..Model::default() },
+        reported: Reported { closing_speed: Some(4.0), ..Reported::default() },
+        ..Record::default()
+    };
+    let unknown = record(None);
+    assert_eq!((rules(&unknown), warnings(&unknown)), (Vec::new(), vec!["restitution"]));
+    let known = record(Some(Xy { x: 4.0, y: 0.1 }));
+    assert_eq!(rules(&known), ["restitution"]);
+}
+
 #[test]
 fn the_impulse_of_two_contact_points_acts_between_them() {
     // 1 kg hits a wall with 2 m/s and comes back with it: P = −4 N s, and −4 N s × y about the center of mass, −y from 0.5 to −0.5 m.

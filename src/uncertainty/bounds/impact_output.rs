@@ -207,9 +207,10 @@ mod tests {
         }
     }
 
-    /// A search that ends at once has no bound of its own below the free one: physics refuses a gain of energy, and no magnitude is negative.
+    /// A search that ends at once has no bound of its own beyond the free one: physics refuses a gain of energy, no magnitude is negative, no more is lost or left than the
+    /// ½ 1500 (18² + 3² + 15²) J that there are at most, and the normal impulse takes energy.
     #[test]
-    fn what_is_never_below_zero_has_no_lower_bound_below() {
+    fn no_bound_is_beyond_what_is_lawful() {
         let car = |speed: f64| Vehicle::new(1500.0, 2500.0).with_impact_center(1.8, 0.4).with_speed(speed);
         let other = car(12.0).with_heading(Heading::from_angle(3.0));
         let collision = Collision::new(car(14.0), other).with_restitution(0.1);
@@ -217,12 +218,20 @@ mod tests {
             [Input::VelocityX(Side::One), Input::VelocityY(Side::One), Input::VelocityX(Side::Two), Input::CrushPlane, Input::Restitution];
         let ranges = [(10.0, 18.0), (-3.0, 3.0), (-15.0, -9.0), (-0.4, 0.4), (0.0, 0.3)];
         let search = Search { cells: 1, ..Search::default() };
+        let in_both = |of| {
+            let free = bounds_of(&mut ImpactOutput::new(&collision, &Direct(inputs.to_vec()), of), &ranges, &search, &|_| true);
+            [bounds(&collision, &Direct(inputs.to_vec()), &ranges, of, &search, &|_| true), free].map(|range| range.expect("it collides"))
+        };
         for of in [Output::Loss, Output::EnergyAfter, Output::EnergyBefore, Output::DeltaVMagnitude(Side::One)] {
-            let range = bounds(&collision, &Direct(inputs.to_vec()), &ranges, of, &search, &|_| true).expect("it collides");
+            let [range, free] = in_both(of);
             assert!(range.low >= 0.0 && range.low <= range.low_attained, "{of}: {range:?}");
-            let free =
-                bounds_of(&mut ImpactOutput::new(&collision, &Direct(inputs.to_vec()), of), &ranges, &search, &|_| true).expect("the same");
             assert_eq!(range.low, free.low.max(0.0), "{of}");
+            if matches!(of, Output::Loss | Output::EnergyAfter) {
+                let most = 750.0 * (18.0 * 18.0 + 9.0 + 15.0 * 15.0);
+                assert!(free.high > range.high && (range.high - most).abs() < 1e-6, "{of}: {range:?} and {}", free.high);
+            }
         }
+        let [range, free] = in_both(Output::NormalWork);
+        assert!(free.high > 0.0 && range.high == 0.0 && range.low == free.low, "{range:?} and {}", free.high);
     }
 }
