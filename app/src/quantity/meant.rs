@@ -144,7 +144,7 @@ fn squares(unit: &str) -> String {
     for word in unit.replace('/', " / ").split_whitespace() {
         match word.trim_end_matches('.') {
             "sq" | "square" => is_square = true,
-            "squared" if !words.is_empty() => words.iter_mut().last().into_iter().for_each(|last| last.push_str("^2")),
+            "squared" if !words.is_empty() => words.last_mut().into_iter().for_each(|last| last.push_str("^2")),
             _ => words.push(if std::mem::take(&mut is_square) { format!("{word}^2") } else { word.to_owned() }),
         }
     }
