@@ -32,6 +32,9 @@ const BRACKETS: [char; 7] = ['[', ']', '(', ')', '{', '}', ' '];
 /// Other signs of division and multiplication.
 const SIGNS: [(&[char], char); 2] = [(&['\u{2215}', '\u{2044}', '\u{f7}'], '/'), (&['\u{d7}', '\u{2219}', '\u{2022}', '.'], '*')];
 
+/// How to write a product behind a sign of division.
+pub(super) const PRODUCTS_FIRST: &str = "put the products first and a `/` before each divisor, as in `lbf s/ft/in`";
+
 /// Longest text of which it is asked what was meant, in bytes.
 const LONGEST: usize = 100;
 
@@ -58,7 +61,7 @@ fn remedy(place: Place<'_>, wanted: Option<Dimension>) -> Option<String> {
         });
     }
     if unit.contains('(') {
-        return Some("write it without brackets: put the products first and a `/` before each divisor, as in `lbf s/ft/in`".to_owned());
+        return Some(format!("write it without brackets: {PRODUCTS_FIRST}"));
     }
     if let Some(meant) = in_ordinary_signs(unit, wanted) {
         return Some(did_you_mean(meant));

@@ -211,7 +211,7 @@ impl Unit {
             ),
             Fault::Ambiguous => QuantityError::with_help(
                 format!("{} has a product behind `/`, which can be read in two ways", excerpt(text)),
-                "put the products first and a `/` before each divisor, as in `lbf s/ft/in`".to_owned(),
+                meant::PRODUCTS_FIRST.to_owned(),
             ),
         })
     }

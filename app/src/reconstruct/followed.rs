@@ -1,6 +1,6 @@
 //! A separation that leads to a rest position, and those beside it that other numbers of the vehicle lead to.
 
-use planar_impact::post_impact::Separation;
+use planar_impact::post_impact::{RestEvidence, Separation};
 use planar_impact::{Motion, Side};
 
 use super::from_rest::Separations;
@@ -39,12 +39,23 @@ impl<'a> Followed<'a> {
         rest.slide.separation_near(rest.evidence.as_ref()?, rest.method, &self.separation.motion)
     }
 
-    /// Returns what the rest position says of the separation to first order about another motion. Only of a slide on wheels that roll, without points along it: a way on
-    /// locked wheels is compared as one.
-    pub fn about(&self, motion: &Motion) -> Option<Separation> {
+    /// Returns the rest position of a slide on wheels that roll, without points along it, and its evidence: a way on locked wheels is compared as one.
+    pub fn rolling(&self) -> Option<(RestOfVehicle, RestEvidence)> {
         let rest = self.with(&[]).filter(|rest| !rest.slide.vehicle.is_locked())?;
-        let evidence = rest.evidence.as_ref().filter(|evidence| evidence.points.is_empty())?;
-        rest.slide.separation_about(evidence, rest.method, motion).filter(Separation::has_deviations)
+        let evidence = rest.evidence.clone().filter(|evidence| evidence.points.is_empty())?;
+        Some((rest, evidence))
+    }
+
+    /// Returns what the rest position of [a slide on wheels that roll](Self::rolling) says of the separation to first order about another motion.
+    pub fn about(&self, motion: &Motion) -> Option<Separation> {
+        let (rest, evidence) = self.rolling()?;
+        rest.slide.separation_about(&evidence, rest.method, motion).filter(Separation::has_deviations)
+    }
+
+    /// Returns a separation about another motion with the uncertainty of what its slide alone has, and with the fit of this one.
+    pub fn widened_about(&self, there: &Separation) -> Option<Separation> {
+        let widened = Followed { separation: there, ..*self }.widened().ok()?;
+        Some(Separation { fit: self.separation.fit.clone(), ..widened })
     }
 
     /// Returns `true` if the vehicle that slides, or its pose at separation, changes with a parameter.

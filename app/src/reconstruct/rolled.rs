@@ -28,10 +28,8 @@ pub fn about(case: &Case, separations: &Separations, motions: &[Option<Motion>; 
     let mut all = separations.clone();
     for followed in Followed::all(case, &case.inputs, separations) {
         let place = followed.side as usize;
-        let Some(there) = motions[place].and_then(|motion| followed.about(&motion)) else { continue };
-        if let Ok(widened) = (Followed { separation: &there, ..followed }).widened() {
-            all[place] = Some(Separation { fit: followed.separation.fit.clone(), ..widened });
-        }
+        let there = motions[place].and_then(|motion| followed.widened_about(&followed.about(&motion)?));
+        all[place] = there.or(all[place].take());
     }
     all
 }
@@ -48,8 +46,7 @@ pub fn elsewhere(case: &Case, separations: &Separations, control: &dyn Control) 
     const FAR: f64 = 3.0;
     let mut motions = [vec![None], vec![None]];
     for followed in Followed::all(case, &case.inputs, separations) {
-        let Some(rest) = followed.with(&[]).filter(|rest| !rest.slide.vehicle.is_locked()) else { continue };
-        let Some(evidence) = rest.evidence.as_ref().filter(|evidence| evidence.points.is_empty()) else { continue };
+        let Some((rest, evidence)) = followed.rolling() else { continue };
         let known = &mut motions[followed.side as usize];
         for aside in [-ASIDE, ASIDE] {
             let mut moved = evidence.clone();
@@ -109,9 +106,7 @@ impl Rolled {
         let about = Motion { velocity: Xy { x, y }, yaw_rate };
         let there = followed.about(&about)?;
         let missed = there.fit.as_ref().filter(|fit| fit.chi_square <= MOST_MISSED)?.miss;
-        let widened = Followed { separation: &there, ..*followed }.widened().ok()?;
-        let separation = Separation { fit: followed.separation.fit.clone(), ..widened };
-        Some(Rolled { separation, about, missed, is_fitted: share == 1.0 })
+        Some(Rolled { separation: followed.widened_about(&there)?, about, missed, is_fitted: share == 1.0 })
     }
 
     /// Returns a note of a separation that is another than that whose slide ends in the rest position, if that makes a difference.
